@@ -1,0 +1,33 @@
+#include <burnish/base/parallel.h>
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace burnish {
+
+void for_each_tile(int width, int height, const Progress& progress, const std::string& stage,
+                   const std::function<void(const Window& tile)>& work) {
+    const int columns = (width + kTileSize - 1) / kTileSize, rows = (height + kTileSize - 1) / kTileSize;
+    const int count = columns * rows;
+    std::mutex reporting;
+    int done = 0;
+    progress.report(stage, 0.0f);
+    tbb::parallel_for(0, count, [&](int index) {
+        const int x = index % columns * kTileSize, y = index / columns * kTileSize;
+        work({x, y, std::min(kTileSize, width - x), std::min(kTileSize, height - y)});
+        const std::lock_guard lock(reporting);
+        progress.report(stage, static_cast<float>(++done) / static_cast<float>(count));
+    });
+}
+
+void for_each_index(int count, const std::function<void(int)>& work) { tbb::parallel_for(0, count, work); }
+
+ThreadLimit::ThreadLimit(int threads) {
+    using Control = tbb::global_control;
+    if (threads > 0) m_control = std::make_shared<Control>(Control::max_allowed_parallelism, static_cast<size_t>(threads));
+}
+
+}  // namespace burnish

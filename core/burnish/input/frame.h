@@ -1,0 +1,42 @@
+// One rendered frame as burnish sees it: layers by role, windows, camera, ids and the metadata to keep.
+#pragma once
+
+#include <burnish/base/image.h>
+#include <burnish/input/camera.h>
+#include <burnish/input/roles.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// Opaque copy of the input file's attributes (windows, camera, timecode, ...), written back by the EXR writer.
+struct Metadata;
+
+/// One cryptomatte of a file (specification 1.2.0), ranks in descending coverage.
+struct Cryptomatte {
+    std::string name;                            // layer prefix, e.g. "ViewLayer.CryptoObject"
+    std::vector<Image> ranks;                    // each 2 channels: id (float whose bits are the hash), coverage in [0, 1]
+    std::map<std::string, uint32_t> manifest;    // object name -> id bits; empty when the file has none
+};
+
+/// A frame in memory. Every layer has the size of `data_window`. Layers are linear; data layers are never colour managed.
+struct AovFrame {
+    std::string file;
+    Window data_window, display_window;
+    std::map<Role, Image> layers;
+    std::optional<Camera> camera;
+    std::vector<Cryptomatte> cryptomattes;
+    std::shared_ptr<const Metadata> metadata;
+    std::vector<std::string> notes;              // what was found and why, one line each, for `info` and the report
+    std::vector<std::string> warnings;
+
+    bool has(Role role) const { return layers.count(role) != 0; }
+    /// The layer that fills `role`; throws Error(missing_channel), naming what was looked for, when there is none.
+    const Image& layer(Role role) const;
+};
+
+}  // namespace burnish

@@ -1,0 +1,62 @@
+// Distant light: an environment map, exact for the reference and as a pyramid for the filtered estimators.
+#pragma once
+
+#include <burnish/light/cube_pyramid.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// How the picture is laid over directions. `blender`: latlong, +X in the middle, Z up. `openexr`: latlong, +Z in the
+/// middle, Y up (USD, Mitsuba, three.js with rotation 90). See docs: pipeline conventions 4.
+enum class EnvironmentConvention { automatic, blender, openexr };
+enum class UpAxis { automatic, y, z };
+
+struct EnvironmentSettings {
+    EnvironmentConvention convention = EnvironmentConvention::automatic;  // automatic: openexr for Y up, blender for Z up
+    UpAxis up = UpAxis::automatic;       // up axis of the render's world; automatic counts as y
+    float rotate_deg = 0.0f;             // turns the lookup direction about the up axis, as Blender's mapping node does
+    bool flip = false;                   // mirrors left and right
+    float scale = 1.0f;                  // multiplies radiance
+    Color3f tint{1, 1, 1};
+    int face_size = 0;                   // texels per cube face edge; 0 = from the file
+    PyramidKernel kernel = PyramidKernel::binomial6;
+};
+
+class Environment {
+public:
+    /// Reads a lat-long (.hdr, .exr, .tx), a cube EXR (`envmap` attribute, vertical or horizontal strip, cross) or, when
+    /// `file` has a `%s` or `{face}` in its name, six files px nx py ny pz nz. Throws Error(read_failed).
+    static Environment load(const std::string& file, const EnvironmentSettings& settings);
+    /// From pixels in memory: lat-long (W = 2H) or one of the cube layouts, RGB.
+    static Environment from_image(const Image& image, const EnvironmentSettings& settings, const std::string& name);
+
+    /// Unfiltered radiance from unit direction d in light axes: bilinear in the picture as given; scale and tint apart.
+    Color3f radiance(const Vec3f& d) const;
+
+    /// Draws a direction in light axes with density ~ luminance, u in [0, 1)^2; `pdf` is per steradian.
+    Vec3f sample(const Vec2f& u, float& pdf) const;
+    float pdf(const Vec3f& d) const;
+
+    const CubePyramid& pyramid() const { return m_pyramid; }
+    /// World direction -> light axes, as row vector times matrix: convention, up axis, rotation and flip in one (a flip makes
+    /// its determinant negative).
+    const Matrix33f& world_to_light() const { return m_world_to_light; }
+    /// scale * tint, to be multiplied into the overlay once.
+    const Color3f& gain() const { return m_gain; }
+    /// What was found and what was scrubbed (NaN, infinite and negative texels), one line each.
+    const std::vector<std::string>& notes() const { return m_notes; }
+    const std::vector<std::string>& warnings() const { return m_warnings; }
+
+private:
+    struct Source;                       // the picture as given and its sampling tables
+    std::shared_ptr<const Source> m_source;
+    CubePyramid m_pyramid;
+    Matrix33f m_world_to_light;
+    Color3f m_gain{1, 1, 1};
+    std::vector<std::string> m_notes, m_warnings;
+};
+
+}  // namespace burnish

@@ -1,0 +1,38 @@
+// From a lobe's numbers to its value type: one dispatch per batch, after which everything inlines.
+#pragma once
+
+#include <burnish/material/model.h>
+#include <burnish/material/models/beckmann.h>
+#include <burnish/material/models/ggx.h>
+#include <burnish/material/models/kurt.h>
+
+namespace burnish {
+
+/// A transmission lobe through a thin sheet: the model with directions mirrored at the surface plane and Fresnel 1 - F.
+/// Lets kernels treat both sides alike: `side_sign` is the sign of wi.z.
+template <LobeModel M>
+struct Lobe {
+    M model;
+    float side_sign;
+
+    Vec3f mirrored(const Vec3f& wi) const { return {wi.x, wi.y, wi.z * side_sign}; }
+    Color3f eval(const Vec3f& wo, const Vec3f& wi) const { return model.eval(wo, mirrored(wi)); }
+    float pdf(const Vec3f& wo, const Vec3f& wi) const { return model.pdf(wo, mirrored(wi)); }
+    Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return mirrored(model.sample(wo, u)); }
+    Lobe with_widths(float mx, float my) const { return {model.with_widths(mx, my), side_sign}; }
+};
+
+/// Calls `visit(Lobe<M>)` with the lobe's own model type.
+template <class Visitor>
+decltype(auto) visit_lobe(const LobeParameters& p, Visitor&& visit) {
+    const float side_sign = p.side == Side::transmission ? -1.0f : 1.0f;
+    switch (p.model) {
+#define BURNISH_MODEL(id, type) \
+    case ModelId::id: return visit(Lobe<type>{type(p), side_sign});
+#include <burnish/material/models/models.def>
+#undef BURNISH_MODEL
+    }
+    return visit(Lobe<Kurt>{Kurt(p), side_sign});
+}
+
+}  // namespace burnish

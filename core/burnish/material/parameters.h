@@ -1,0 +1,48 @@
+// A material as numbers: a diffuse colour and any number of lobes. This is what JSON holds and users edit.
+#pragma once
+
+#include <burnish/base/types.h>
+#include <burnish/material/fresnel.h>
+
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+enum class ModelId {
+#define BURNISH_MODEL(id, type) id,
+#include <burnish/material/models/models.def>
+#undef BURNISH_MODEL
+};
+
+enum class Side { reflection, transmission };
+
+/// Which of a lobe's numbers come from layers of the frame, pixel by pixel, instead of from the lobe.
+struct PerPixel {
+    bool roughness = false, anisotropy = false, rotation = false, tint = false, weight = false;
+};
+
+/// One lobe. Widths are slope widths: m = RMS slope * sqrt(2) for Beckmann and Kurt, alpha for GGX, along t (mx) and b (my).
+struct LobeParameters {
+    ModelId model = ModelId::kurt;
+    Side side = Side::reflection;
+    float strength = 1.0f;           // ks or kt, [0, inf)
+    Color3f tint{1, 1, 1};
+    float mx = 0.1f, my = 0.1f;      // (0, 1]
+    float rotation = 0.0f;           // radians, turns t about n, right-hand rule
+    Fresnel fresnel;
+    std::vector<float> extra;        // the model's own parameters, in the order of ModelInfo::parameters
+    PerPixel per_pixel;
+};
+
+struct Material {
+    std::string name;
+    Color3f kd{0, 0, 0};             // diffuse reflectivity, used where burnish makes the diffuse part itself
+    std::vector<LobeParameters> lobes;
+};
+
+/// Slope widths of a roughness `alpha` and an artist's anisotropy a in [-1, 1], as Cycles' Anisotropic BSDF has them:
+/// a >= 0: (alpha (1 - a), alpha / (1 - a)); a < 0: (alpha / (1 + a), alpha (1 + a)); both kept in [1e-4, 1].
+Vec2f anisotropic_widths(float alpha, float anisotropy);
+
+}  // namespace burnish

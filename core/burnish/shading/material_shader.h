@@ -1,0 +1,35 @@
+// One material under one light, ready to shade: tables and patterns are made once, `shade` then runs from many threads.
+#pragma once
+
+#include <burnish/light/environment.h>
+#include <burnish/material/parameters.h>
+#include <burnish/shading/estimator.h>
+#include <burnish/surface/surface_batch.h>
+
+#include <memory>
+#include <vector>
+
+namespace burnish {
+
+/// Results of one batch, entry i for batch pixel i.
+struct ShadedBatch {
+    std::vector<Color3f> overlay;            // linear radiance, light gain, tint and weight included
+    std::vector<float> standard_error;       // reference only: of the overlay's luminance; else empty
+    std::vector<float> samples;              // lookups spent on the pixel
+};
+
+class MaterialShader {
+public:
+    /// The environment must outlive the shader.
+    MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings);
+
+    /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
+    void shade(const SurfaceBatch& batch, ShadedBatch& out) const;
+
+    struct LobeShader;                       // one lobe under one estimator
+
+private:
+    std::vector<std::shared_ptr<const LobeShader>> m_lobes;
+};
+
+}  // namespace burnish

@@ -1,0 +1,36 @@
+// What the shading kernels read: up to one tile of pixels of one material, as structure of arrays, so that a SIMD kernel
+// can take the place of the scalar one without touching callers.
+#pragma once
+
+#include <burnish/base/types.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace burnish {
+
+/// Three float planes of one vector field.
+struct Vec3Planes {
+    std::vector<float> x, y, z;
+
+    void push_back(const Vec3f& v) { x.push_back(v.x), y.push_back(v.y), z.push_back(v.z); }
+    Vec3f operator[](size_t i) const { return {x[i], y[i], z[i]}; }
+    void clear() { x.clear(), y.clear(), z.clear(); }
+};
+
+/// Pixels of one material, all valid: unit vectors, wo above both n and ng. World space, scene units.
+/// The optional fields (roughness ... weight) are empty when the frame has no such layer, else of size().
+struct SurfaceBatch {
+    std::vector<uint32_t> pixel;     // flat index into the frame, row-major
+    Vec3Planes p, n, ng, t, wo;      // ng == n without a geometric-normal layer; t is perpendicular to n
+    std::vector<float> roughness;    // slope width m (alpha), already squared from the artist's roughness; in (0, 1]
+    std::vector<float> anisotropy;   // artist's anisotropy in [-1, 1]
+    std::vector<float> rotation;     // radians, turns t about n, right-hand rule
+    Vec3Planes tint;                 // linear colour, multiplies the overlay
+    std::vector<float> weight;       // multiplies the overlay
+
+    size_t size() const { return pixel.size(); }
+    void clear();
+};
+
+}  // namespace burnish

@@ -1,0 +1,44 @@
+// What each pixel of a frame knows about its surface: validity, and batches ready for shading.
+#pragma once
+
+#include <burnish/input/assign.h>
+#include <burnish/input/frame.h>
+#include <burnish/surface/surface_batch.h>
+
+#include <array>
+#include <string_view>
+
+namespace burnish {
+
+/// Why a pixel is not shaded, or that it is. Written as a diagnostic layer and counted in the report.
+enum class Validity : uint8_t { valid, background, not_finite, zero_normal, averaged_normal, back_facing, unassigned };
+inline constexpr int kValidityCount = 7;
+std::string_view validity_name(Validity validity);
+
+struct SurfaceSettings {
+    Vec3f tangent_axis{0, 0, 1};        // without a tangent layer: t = axis x n, the radial tangent about this axis
+    float min_normal_length = 0.3f;     // shorter averaged normals are not shaded
+    bool roughness_is_alpha = false;    // roughness layer holds alpha instead of the artist's r (alpha = r^2)
+};
+
+class Surfaces {
+public:
+    /// Frame and assignment must outlive the surfaces. Needs P, N and the camera; throws Error(missing_channel).
+    Surfaces(const AovFrame& frame, const Assignment& assignment, const SurfaceSettings& settings);
+
+    Validity validity(size_t pixel) const { return m_validity[pixel]; }
+    /// Pixels per Validity.
+    const std::array<size_t, kValidityCount>& counts() const { return m_counts; }
+    /// Collects the valid pixels of `tile` assigned to `rule` into `batch` (cleared first).
+    void gather(const Window& tile, int rule, SurfaceBatch& batch) const;
+
+private:
+    const AovFrame& m_frame;
+    const Assignment& m_assignment;
+    SurfaceSettings m_settings;
+    Vec3f m_eye;
+    std::vector<Validity> m_validity;
+    std::array<size_t, kValidityCount> m_counts{};
+};
+
+}  // namespace burnish
