@@ -22,8 +22,8 @@ fs::path hidden_sibling(const fs::path& target) {
 
 AtomicFile::AtomicFile(const std::string& target) : m_name(target) {
     std::error_code error;
-    m_target = fs::weakly_canonical(fs::absolute(target), error);
-    if (error || target.empty()) fail("the path is not usable");
+    m_target = fs::weakly_canonical(fs::absolute(target, error), error);
+    if (error || m_target.empty()) fail("the path is not usable");
     const fs::file_status status = fs::status(m_target, error);
     if (fs::is_directory(status)) fail("it is a directory; give a file name");
     if (fs::exists(status) && !fs::is_regular_file(status)) fail("it is a device, not a file");

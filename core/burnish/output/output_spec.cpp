@@ -101,8 +101,8 @@ OIIO::ImageSpec output_spec(const std::string& file, const AovFrame& frame, cons
     keep_attributes(frame, spec);
     add_history(frame, layers, spec);
     spec.attribute("compression", "zip");
-    // OpenImageIO stamps the time of writing into files without a date, and skips dates that are not text: same job, same bits.
-    if (!spec.find_attribute("DateTime")) spec.attribute("DateTime", 0);
+    // OpenImageIO stamps the time of writing into files without a date; an empty one keeps same job, same bits.
+    if (!spec.find_attribute("DateTime")) spec.attribute("DateTime", "");
     return spec;
 }
 
