@@ -17,11 +17,13 @@ struct OutputLayer {
 
 enum class PixelType { half, float32 };
 
-/// Writes an EXR (ZIP) with the frame's windows and metadata, `Software` and a history line added. Layer sizes must equal
-/// the data window. `order`: layers as given. Throws Error(write_failed | size_mismatch).
+/// Writes an EXR (ZIP) with the frame's windows and metadata (may be null), `Software` and a `burnish/history` line added.
+/// Layer sizes must equal the data window. Channel names have one dot at most and start with letters, so that every
+/// package shows them unchanged. Half values are clamped to +-65504. Makes the output directory when absent.
+/// Throws Error(write_failed | size_mismatch | bad_argument); then nothing is left on disk and an older file is untouched.
 void write_exr(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type);
 
-/// Writes any bytes atomically (reports, JSON).
+/// Writes any bytes just so: whole or not at all (reports, JSON). Throws Error(write_failed).
 void write_text(const std::string& file, const std::string& text);
 
 }  // namespace burnish

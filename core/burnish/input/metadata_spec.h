@@ -1,0 +1,14 @@
+// What stands behind the opaque `Metadata`. Internal: for the sources (and tests) that call OpenImageIO, not for headers.
+#pragma once
+
+#include <burnish/input/metadata.h>
+
+#include <OpenImageIO/imageio.h>
+
+namespace burnish {
+
+struct Metadata {
+    OIIO::ImageSpec spec;  // of the part that holds the beauty, or of the first one read
+};
+
+}  // namespace burnish
