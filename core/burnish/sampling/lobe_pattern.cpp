@@ -1,6 +1,7 @@
 #include <burnish/sampling/lobe_pattern.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -9,6 +10,7 @@ namespace burnish {
 namespace {
 
 constexpr double kPi2 = 2 * std::numbers::pi;
+constexpr int kMaxCircles = 256;
 constexpr float kExtremeAspect = 8.0f;      // beyond it a line covers the lobe better than circles (tests/bench)
 
 double border_radius(float border) { return std::sqrt(-std::log(static_cast<double>(border))); }
@@ -40,17 +42,21 @@ LobePattern with_equal_areas(LobePattern pattern, double radius) {
 }
 
 
-/// The circles whose count comes nearest to `samples`; the source's own first circles win ties.
+/// The circles whose count comes nearest to `samples`; earlier candidates win ties.
 LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float border) {
+    constexpr std::array<int, 3> with_centre{6, 5, 7}, without_centre{4, 5, 3};     // the source's own first
     LobePattern best;
     const auto distance = [&](const LobePattern& p) { return std::abs(static_cast<int>(p.size()) - samples); };
     for (const bool centred : {true, false}) {
         if ((kind == PatternKind::circles && !centred) || (kind == PatternKind::offset_circles && centred)) continue;
-        for (const int first : centred ? std::initializer_list<int>{6, 5, 7} : std::initializer_list<int>{4, 5, 3})
-            for (int circles = 1; circles <= 24; ++circles) {
+        for (const int first : centred ? with_centre : without_centre) {
+            int count = 0;
+            for (int circles = 1; count < samples && circles < kMaxCircles; ++circles) {
                 LobePattern pattern = circle_pattern(circles, first, centred, aspect, border);
+                count = static_cast<int>(pattern.size());
                 if (best.empty() || distance(pattern) < distance(best)) best = std::move(pattern);
             }
+        }
     }
     return best;
 }

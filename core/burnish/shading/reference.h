@@ -51,7 +51,7 @@ ReferenceEstimate reference_estimate(const LobeType& lobe, const Environment& li
     Color3f sum(0, 0, 0);
     double mean = 0, deviation = 0;      // Welford over the rounds' luminance
     for (int round = 0;; ++round) {
-        const Color3f estimate = reference_round(lobe, light, point, hash(seed + round * 0x85ebca6bu));
+        const Color3f estimate = reference_round(lobe, light, point, hash_bits(seed + round * 0x85ebca6bu));
         sum += estimate;
         const double delta = luminance(estimate) - mean;
         mean += delta / (round + 1);

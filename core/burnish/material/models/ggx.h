@@ -61,8 +61,8 @@ public:
         return m_peak / (e * e);
     }
 
-    /// tan(theta) / alpha at which D cos^4 has fallen to xi0 of its peak.
-    float border(float xi0) const { return std::sqrt(1 / std::sqrt(xi0) - 1); }
+    /// tan(theta) / alpha beyond which the share xi of the slopes lies: 1 / (1 + r^2) = xi.
+    float border(float xi) const { return std::sqrt(1 / xi - 1); }
 
     /// Share of the microfacets facing w that w sees, in [0, 1]: Smith's, exact.
     float G1(const Vec3f& w) const { return 2 * w.z / (w.z + stretched_length(w)); }
