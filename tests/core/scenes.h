@@ -37,6 +37,28 @@ inline AovFrame sphere_frame(int size, float distance = 6.0f) {
     return frame;
 }
 
+/// A gently waved sheet that covers every pixel of a width x height frame, seen from (0, 0, 3); normals within 30 degrees of +Z.
+inline AovFrame covered_frame(int width, int height) {
+    AovFrame frame;
+    frame.file = "covered";
+    frame.data_window = frame.display_window = {0, 0, width, height};
+    Image position(width, height, 3), normal(width, height, 3);
+    const float aspect = static_cast<float>(height) / width;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float px = 2 * (x + 0.5f) / width - 1, py = aspect * (1 - 2 * (y + 0.5f) / height);
+            const Vec3f p(px, py, 0.1f * std::sin(4 * px) * std::cos(5 * py));
+            const Vec3f n = Vec3f(-0.4f * std::cos(4 * px) * std::cos(5 * py), 0.5f * std::sin(4 * px) * std::sin(5 * py), 1).normalized();
+            std::copy_n(&p.x, 3, position.at(x, y));
+            std::copy_n(&n.x, 3, normal.at(x, y));
+        }
+    frame.layers[Role::position] = std::move(position);
+    frame.layers[Role::normal] = std::move(normal);
+    frame.camera = Camera{};
+    frame.camera->centre = Vec3f(0, 0, 3);
+    return frame;
+}
+
 /// Rule 0 everywhere, full coverage.
 inline Assignment whole_frame(const AovFrame& frame) {
     const Image& any = frame.layers.begin()->second;
