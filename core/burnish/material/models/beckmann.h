@@ -2,14 +2,14 @@
 //
 // Equations   f = F(wo.h) D(h) G1(wo) G1(wi) / (4 cos_o cos_i),   D anisotropic Beckmann, see microfacet.h
 //             G1(w) = (3.535 a + 2.181 a^2) / (1 + 2.276 a + 2.577 a^2) for a < 1.6, else 1;  a = z / |(mx x, my y)|
-//             sample h with density D cos(theta_h), so p(wi) = D(h) cos(theta_h) / (4 (wo.h))
+//             sample the visible normals, so p(wi) = D(h) / (4 area(wo)), area exact: see beckmann_visible.h
 // Source      Walter, Marschner, Li & Torrance 2007, eq. 20, 25, 27-29; anisotropic masking by Heitz 2014, eq. 80.
 // Parameters  mx, my slope widths (RMS slope times sqrt(2)); equals Cycles' Beckmann and Mitsuba's `beckmann` alpha.
 // Traps       G is separable and without multiple scattering: at m = 1 a fifth of the light is lost. The rational G1 is
 //             0.3 % off Smith's exact one, so renderers with erf differ by that much.
 #pragma once
 
-#include <burnish/material/microfacet.h>
+#include <burnish/material/beckmann_visible.h>
 #include <burnish/material/model.h>
 
 namespace burnish {
@@ -37,11 +37,10 @@ public:
 
     float pdf(const Vec3f& wo, const Vec3f& wi) const {
         if (!above_surface(wo, wi)) return 0;
-        const HalfVector h(wo, wi);
-        return m_normals.D(h.wm) * h.wm.z / (4 * h.cos_theta_d);
+        return m_normals.D(HalfVector(wo, wi).wm) / (4 * visible_area(m_normals, wo));
     }
 
-    Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return reflect(wo, m_normals.sample(u)); }
+    Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return reflect(wo, sample_visible_normal(m_normals, wo, u)); }
     float D(const Vec3f& wm) const { return m_normals.D(wm); }
     float border(float xi0) const { return m_normals.border(xi0); }
 
