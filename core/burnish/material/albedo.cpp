@@ -44,8 +44,8 @@ EnergyCheck check_energy(const Material& material) {
     constexpr int kSamples = 1024, kStep_deg = 4;
     const int azimuths = turns_with_azimuth(material) ? 8 : 1;
     EnergyCheck worst;
-    for (int step = 0; step * kStep_deg <= 92; ++step) {
-        const float theta_deg = std::min(static_cast<float>(step * kStep_deg), kSteepestCheck_deg);
+    for (int step_deg = 0; step_deg < 90 + kStep_deg; step_deg += kStep_deg) {
+        const float theta_deg = std::min(static_cast<float>(step_deg), kSteepestCheck_deg);
         for (int i = 0; i < azimuths; ++i) {
             const Vec3f wo = direction(theta_deg * kPi / 180, kPi * static_cast<float>(i) / static_cast<float>(azimuths));
             const Color3f albedo = total_albedo(material, wo, kSamples);
