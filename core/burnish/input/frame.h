@@ -31,10 +31,16 @@ struct AovFrame {
     std::optional<Camera> camera;
     std::vector<Cryptomatte> cryptomattes;
     std::shared_ptr<const Metadata> metadata;
+    bool divided_by_albedo = false;              // light passes are to be multiplied by their colour pass (Cycles, V-Ray raw)
     std::vector<std::string> notes;              // what was found and why, one line each, for `info` and the report
     std::vector<std::string> warnings;
 
     bool has(Role role) const { return layers.count(role) != 0; }
+    /// The layer that fills `role`, or null.
+    const Image* find(Role role) const {
+        const auto found = layers.find(role);
+        return found == layers.end() ? nullptr : &found->second;
+    }
     /// The layer that fills `role`; throws Error(missing_channel), naming what was looked for, when there is none.
     const Image& layer(Role role) const;
 };

@@ -1,20 +1,67 @@
-// Fresnel reflectance of one interface, per colour channel, as a small value type.
+// Fresnel reflectance of one interface, per colour channel, as a small value type. Inline: kernels call it once a sample.
 #pragma once
 
 #include <burnish/base/types.h>
+
+#include <algorithm>
 
 namespace burnish {
 
 enum class FresnelKind { none, schlick, dielectric, conductor };
 
+/// F = r0 + (1 - r0) (1 - c)^5, c = wo . wm. Source: Schlick 1994, eq. 15.
+inline Color3f schlick_fresnel(const Color3f& r0, float c) {
+    const float m = 1 - c, m2 = m * m, w = m2 * m2 * m;
+    return r0 + (Color3f(1) - r0) * w;
+}
+
+/// Exact unpolarised reflectance from outside onto a dielectric of index `eta` > 0, the ratio of the inner to the outer
+/// index; 1 on total reflection (eta < 1). Source: Cook & Torrance 1982, in the form of Walter et al. 2007, eq. 22.
+inline float dielectric_fresnel(float eta, float c) {
+    const float g2 = eta * eta - 1 + c * c;
+    if (g2 <= 0) return eta == 1 ? 0.0f : 1.0f;
+    const float g = std::sqrt(g2);
+    const float s = (g - c) / (g + c), p = (c * (g + c) - 1) / (c * (g - c) + 1);
+    return 0.5f * s * s * (1 + p * p);
+}
+
+/// Exact unpolarised reflectance of a conductor of complex index eta + i k (relative to the outside).
+/// Source: Born & Wolf, Principles of Optics, 14.2; a2b2 = a^2 + b^2 of (a + i b)^2 = (eta + i k)^2 - sin^2.
+inline float conductor_fresnel(float eta, float k, float c) {
+    const float c2 = c * c, s2 = 1 - c2;
+    const float t = eta * eta - k * k - s2;
+    const float a2b2 = std::sqrt(t * t + 4 * eta * eta * k * k);
+    const float a2c = 2 * c * std::sqrt(std::max(0.0f, 0.5f * (a2b2 + t)));
+    const float rs = (a2b2 + c2 - a2c) / (a2b2 + c2 + a2c);
+    const float u = c2 * a2b2 + s2 * s2, v = a2c * s2;
+    return 0.5f * rs * (1 + (u - v) / (u + v));
+}
+
 /// F(cos_theta), cos_theta = wo . wm in [0, 1]. `complement` gives 1 - F, for thin transmission (methods: Walkthrough 3.3.1).
+/// `none` is 1 either way: a lobe without Fresnel is as strong as its strength says, on both sides.
 struct Fresnel {
     FresnelKind kind = FresnelKind::none;
-    Color3f eta{1, 1, 1};        // schlick: r0; dielectric: eta.x = index of refraction; conductor: real part of the index
-    Color3f k{0, 0, 0};          // conductor: extinction
+    Color3f eta{1, 1, 1};  // schlick: r0; dielectric: eta.x = index of refraction; conductor: real part of the index
+    Color3f k{0, 0, 0};    // conductor: extinction
     bool complement = false;
 
-    Color3f operator()(float cos_theta) const;
+    Color3f operator()(float cos_theta) const {
+        if (kind == FresnelKind::none) return Color3f(1);
+        const Color3f F = reflectance(std::clamp(cos_theta, 0.0f, 1.0f));
+        return complement ? Color3f(1) - F : F;
+    }
+
+private:
+    Color3f reflectance(float c) const {
+        switch (kind) {
+            case FresnelKind::schlick: return schlick_fresnel(eta, c);
+            case FresnelKind::dielectric: return Color3f(dielectric_fresnel(eta.x, c));
+            case FresnelKind::conductor:
+                return {conductor_fresnel(eta.x, k.x, c), conductor_fresnel(eta.y, k.y, c), conductor_fresnel(eta.z, k.z, c)};
+            case FresnelKind::none: break;
+        }
+        return Color3f(1);
+    }
 };
 
 }  // namespace burnish

@@ -19,6 +19,8 @@ struct Lobe {
     Color3f eval(const Vec3f& wo, const Vec3f& wi) const { return model.eval(wo, mirrored(wi)); }
     float pdf(const Vec3f& wo, const Vec3f& wi) const { return model.pdf(wo, mirrored(wi)); }
     Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return mirrored(model.sample(wo, u)); }
+    float D(const Vec3f& wm) const { return model.D(wm); }
+    float border(float xi0) const { return model.border(xi0); }
     Lobe with_widths(float mx, float my) const { return {model.with_widths(mx, my), side_sign}; }
 };
 

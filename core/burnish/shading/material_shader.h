@@ -3,7 +3,7 @@
 
 #include <burnish/light/environment.h>
 #include <burnish/material/parameters.h>
-#include <burnish/shading/estimator.h>
+#include <burnish/sampling/estimator.h>
 #include <burnish/surface/surface_batch.h>
 
 #include <memory>
@@ -25,6 +25,9 @@ public:
 
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
     void shade(const SurfaceBatch& batch, ShadedBatch& out) const;
+
+    /// Whether `shade` fills standard_error: the estimator is `reference`.
+    bool estimates_error() const;
 
     struct LobeShader;                       // one lobe under one estimator
 

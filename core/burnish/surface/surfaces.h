@@ -15,8 +15,12 @@ enum class Validity : uint8_t { valid, background, not_finite, zero_normal, aver
 inline constexpr int kValidityCount = 7;
 std::string_view validity_name(Validity validity);
 
+/// Where tangents come from; `automatic` takes the first of layer, uv and axis that the frame allows.
+enum class TangentSource { automatic, layer, uv, axis };
+
 struct SurfaceSettings {
-    Vec3f tangent_axis{0, 0, 1};        // without a tangent layer: t = axis x n, the radial tangent about this axis
+    TangentSource tangent = TangentSource::automatic;
+    Vec3f tangent_axis{0, 0, 1};        // for `axis`: t = axis x n, the radial tangent about this axis
     float min_normal_length = 0.3f;     // shorter averaged normals are not shaded
     bool roughness_is_alpha = false;    // roughness layer holds alpha instead of the artist's r (alpha = r^2)
 };
@@ -29,14 +33,21 @@ public:
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
     /// Pixels per Validity.
     const std::array<size_t, kValidityCount>& counts() const { return m_counts; }
+    /// Where the tangents came from in the end: never `automatic`.
+    TangentSource tangent_source() const { return m_settings.tangent; }
     /// Collects the valid pixels of `tile` assigned to `rule` into `batch` (cleared first).
     void gather(const Window& tile, int rule, SurfaceBatch& batch) const;
 
 private:
+    Validity classify(size_t pixel) const;
+    Vec3f tangent(const Vec3f& n, size_t pixel) const;
+    void append(size_t pixel, SurfaceBatch& batch) const;
+
     const AovFrame& m_frame;
     const Assignment& m_assignment;
     SurfaceSettings m_settings;
     Vec3f m_eye;
+    const Image *m_position, *m_normal;
     std::vector<Validity> m_validity;
     std::array<size_t, kValidityCount> m_counts{};
 };

@@ -1,0 +1,94 @@
+#include <burnish/composite/composite.h>
+
+#include <burnish/base/error.h>
+
+namespace burnish {
+namespace {
+
+Color3f color(const Image& image, size_t pixel) {
+    const float* c = image.at(pixel);
+    return {c[0], c[1], c[2]};
+}
+
+void store(Image& image, size_t pixel, const Color3f& c) {
+    float* out = image.at(pixel);
+    out[0] = c.x, out[1] = c.y, out[2] = c.z;
+}
+
+/// factor * (direct + indirect), absent layers counting as 0 and an absent factor as 1.
+Image modulated_sum(const Image* direct, const Image* indirect, const Image* factor) {
+    const Image& first = direct ? *direct : *indirect;
+    Image sum(first.width, first.height, 3);
+    for (size_t i = 0; i < sum.pixel_count(); ++i) {
+        Color3f c(0, 0, 0);
+        if (direct) c += color(*direct, i);
+        if (indirect) c += color(*indirect, i);
+        store(sum, i, factor ? c * color(*factor, i) : c);
+    }
+    return sum;
+}
+
+/// The diffuse part (methods 1): the renderer's passes, or kd/pi * E * albedo from an irradiance layer.
+Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const std::vector<Color3f>& kd) {
+    const Image *direct = frame.find(Role::diffuse_direct), *indirect = frame.find(Role::diffuse_indirect);
+    const Image* albedo = frame.find(Role::diffuse_albedo);
+    if (direct || indirect) return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
+    const auto* irradiance = frame.find(Role::irradiance);
+    if (!irradiance)
+        throw Error(ErrorCode::missing_channel,
+                    frame.file + ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
+                                 "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
+    Image diffuse = modulated_sum(irradiance, nullptr, albedo);
+    for (size_t i = 0; i < diffuse.pixel_count(); ++i) {
+        const int rule = assignment.rule[i];
+        store(diffuse, i, rule < 0 ? Color3f(0, 0, 0) : color(diffuse, i) * kd[rule] / kPi);
+    }
+    return diffuse;
+}
+
+/// What one pixel's overlay is multiplied with: coverage keeps edges premultiplied, the mask is the user's.
+float pixel_weight(const AovFrame& frame, const Assignment& assignment, size_t pixel) {
+    const Image* mask = frame.find(Role::mask);
+    return assignment.coverage[pixel] * (mask ? *mask->at(pixel) : 1.0f);
+}
+
+}  // namespace
+
+Image rendered_specular(const AovFrame& frame) {
+    const Image *direct = frame.find(Role::specular_direct), *indirect = frame.find(Role::specular_indirect);
+    if (!direct && !indirect)
+        throw Error(ErrorCode::missing_channel,
+                    frame.file + ": no rendered specular to replace (looked for specular_direct, specular_indirect). "
+                                 "Name them with --channel specular_direct=LAYER, or use --mode add");
+    const Image* albedo = frame.find(Role::specular_albedo);
+    if (frame.divided_by_albedo && !albedo)
+        throw Error(ErrorCode::missing_channel, frame.file + ": the specular passes are divided by their colour, and the colour is missing. "
+                                                             "Name it with --channel specular_albedo=LAYER");
+    return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
+}
+
+Composite composite(const AovFrame& frame, const Assignment& assignment, const Image& overlay, const Image* old_overlay,
+                    const std::vector<Color3f>& kd, const CompositeSettings& settings) {
+    const Image *beauty = frame.find(Role::beauty), *alpha = frame.find(Role::alpha);
+    if (settings.mode != CompositeMode::add) frame.layer(Role::beauty);
+    Composite out;
+    if (!beauty) out.diffuse = diffuse_part(frame, assignment, kd);
+    const Image& base = beauty ? *beauty : out.diffuse;
+    const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
+    out.beauty = Image(overlay.width, overlay.height, 4);
+    out.overlay = Image(overlay.width, overlay.height, 3);
+    for (size_t i = 0; i < overlay.pixel_count(); ++i) {
+        const float weight = pixel_weight(frame, assignment, i);
+        Color3f added = color(overlay, i);
+        if (settings.mode == CompositeMode::difference) added -= color(*old_overlay, i);
+        added *= settings.tint * (settings.gain * weight);
+        Color3f sum = color(base, i) + added;
+        if (settings.mode == CompositeMode::replace) sum -= color(removed, i) * weight;
+        store(out.overlay, i, added);
+        store(out.beauty, i, sum);
+        out.beauty.at(i)[3] = alpha ? *alpha->at(i) : 1.0f;
+    }
+    return out;
+}
+
+}  // namespace burnish

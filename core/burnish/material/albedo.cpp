@@ -1,0 +1,59 @@
+#include <burnish/material/albedo.h>
+#include <burnish/material/lobe.h>
+#include <burnish/sampling/sequence.h>
+
+#include <algorithm>
+
+namespace burnish {
+
+namespace {
+
+Vec3f direction(float theta, float phi) {
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+/// Albedo of all lobes of both sides together, and kd.
+Color3f total_albedo(const Material& material, const Vec3f& wo, int samples) {
+    Color3f total = material.kd;
+    for (const LobeParameters& lobe : material.lobes) total += directional_albedo(lobe, wo, samples);
+    return total;
+}
+
+bool turns_with_azimuth(const Material& material) {
+    return std::ranges::any_of(material.lobes, [](const LobeParameters& lobe) { return lobe.mx != lobe.my; });
+}
+
+}  // namespace
+
+Color3f directional_albedo(const LobeParameters& lobe, const Vec3f& wo, int samples) {
+    const float c = std::cos(lobe.rotation), s = std::sin(lobe.rotation);
+    const Vec3f wo_lobe(c * wo.x + s * wo.y, c * wo.y - s * wo.x, wo.z);
+    const Color3f sum = visit_lobe(lobe, [&](const auto& f) {
+        Color3f total(0);
+        for (int i = 0; i < samples; ++i) {
+            const Vec3f wi = f.sample(wo_lobe, hammersley(static_cast<uint32_t>(i), static_cast<uint32_t>(samples)));
+            const float pdf = f.pdf(wo_lobe, wi);
+            if (pdf > 0) total += f.eval(wo_lobe, wi) * (std::abs(wi.z) / pdf);
+        }
+        return total;
+    });
+    return lobe.tint * sum * (lobe.strength / static_cast<float>(samples));
+}
+
+EnergyCheck check_energy(const Material& material) {
+    constexpr int kSamples = 1024, kStep_deg = 4;
+    const int azimuths = turns_with_azimuth(material) ? 8 : 1;
+    EnergyCheck worst;
+    for (int step_deg = 0; step_deg < 90 + kStep_deg; step_deg += kStep_deg) {
+        const float theta_deg = std::min(static_cast<float>(step_deg), kSteepestCheck_deg);
+        for (int i = 0; i < azimuths; ++i) {
+            const Vec3f wo = direction(theta_deg * kPi / 180, kPi * static_cast<float>(i) / static_cast<float>(azimuths));
+            const Color3f albedo = total_albedo(material, wo, kSamples);
+            const float largest = std::max({albedo.x, albedo.y, albedo.z});
+            if (largest > worst.max_albedo) worst = {largest, theta_deg};
+        }
+    }
+    return worst;
+}
+
+}  // namespace burnish

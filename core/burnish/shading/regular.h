@@ -1,0 +1,44 @@
+// The `regular` estimator: a fixed pattern of half vectors, each lookup filtered over the solid angle it stands for.
+//
+//     L = sum_i Li(wi) a_i / norm,   wi = reflect(wo, h_i),   Omega_i = 4 (wo . h_i) Omega_h,i
+//
+// Omega_h = area mx my cos^3 theta_h is the pattern cell's solid angle about h, and 4 (wo . h) its stretch by reflection.
+#pragma once
+
+#include <burnish/material/lobe.h>
+#include <burnish/sampling/lobe_pattern.h>
+#include <burnish/shading/shading_point.h>
+
+namespace burnish {
+
+/// The weighted sum of one pixel under one of the three quadratures:
+///     half_vector      a = f cos Omega              norm = sum of D(h) cos theta_h Omega_h    (Regular 17-18)
+///     energy           a = f cos^2 Omega            norm = sum of p cos Omega                 (Walkthrough 4.24)
+///     energy_squared   a = f^2 cos^2 Omega / p      norm = sum of f cos Omega                 (Walkthrough 4.25)
+/// p is the density of wi when h is drawn from D cos theta_h. `look(wi, Omega)` gives filtered radiance.
+template <class LobeType, class Look>
+Color3f regular_estimate(const LobeType& lobe, const LobePattern& pattern, Quadrature quadrature, const ShadingPoint& point,
+                         const Look& look) {
+    Color3f sum(0, 0, 0), norm(0, 0, 0);
+    for (const PatternSample& s : pattern) {
+        const float sx = s.u * point.mx, sy = s.v * point.my, cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
+        const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
+        const float omega_h = s.area * point.mx * point.my * cos_h * cos_h * cos_h;
+        const float density = lobe.D(h) * cos_h;
+        if (quadrature == Quadrature::half_vector) norm += Color3f(density * omega_h);
+        const float wo_h = point.wo.dot(h);
+        if (wo_h <= 0) continue;
+        const Vec3f wi = lobe.mirrored(h * (2 * wo_h) - point.wo);
+        const float cos_i = wi.z * lobe.side_sign;
+        if (cos_i <= 0) continue;
+        const float omega = 4 * wo_h * omega_h;
+        Color3f weight = lobe.eval(point.wo, wi) * (cos_i * omega);
+        const float p = density / (4 * wo_h);
+        if (quadrature == Quadrature::energy) norm += Color3f(p * cos_i * omega), weight *= cos_i;
+        if (quadrature == Quadrature::energy_squared) norm += weight, weight *= lobe.eval(point.wo, wi) * (cos_i / p);
+        if (point.sees(wi, lobe.side_sign)) sum += weight * look(wi, omega);
+    }
+    return {norm.x > 0 ? sum.x / norm.x : 0, norm.y > 0 ? sum.y / norm.y : 0, norm.z > 0 ? sum.z / norm.z : 0};
+}
+
+}  // namespace burnish

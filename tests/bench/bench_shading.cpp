@@ -1,0 +1,46 @@
+// Dense shading of a fully covered 1920 x 1080 frame: time per frame and lookups per second per core.
+#include "core/scenes.h"
+
+#include <burnish/base/parallel.h>
+#include <burnish/shading/dense.h>
+
+#include <benchmark/benchmark.h>
+
+#include <sys/resource.h>
+
+using namespace burnish;
+
+namespace {
+
+/// Arguments: lookups per pixel, threads. Model by template, so that the names of the benchmarks say what ran.
+template <ModelId model>
+void shade_1080p(benchmark::State& state) {
+    const int threads = static_cast<int>(state.range(1));
+    const ThreadLimit limit(threads);
+    const AovFrame frame = scenes::covered_frame(1920, 1080);
+    const Assignment assignment = scenes::whole_frame(frame);
+    const Environment light = Environment::from_image(scenes::stress_light(1, 512), {}, "stress");
+    LobeParameters lobe;
+    lobe.model = model, lobe.mx = lobe.my = 0.1f;
+    if (model == ModelId::kurt) lobe.extra = {0.4f};
+    EstimatorSettings settings;
+    settings.samples = static_cast<int>(state.range(0));
+    const std::vector<MaterialShader> shaders{MaterialShader({"bench", Color3f(0, 0, 0), {lobe}}, light, settings)};
+    double lookups = 0;
+    for (auto _ : state) {
+        const Surfaces surfaces(frame, assignment, {});
+        const ShadedFrame shaded = shade_dense(surfaces, assignment, shaders, {});
+        lookups += shaded.lookups;
+        benchmark::DoNotOptimize(shaded.overlay.data.data());
+    }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["lookups/s/core"] = benchmark::Counter(lookups / threads, benchmark::Counter::kIsRate);
+    state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+}  // namespace
+
+BENCHMARK(shade_1080p<ModelId::kurt>)->Args({16, 1})->Args({16, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shade_1080p<ModelId::beckmann>)->Args({16, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shade_1080p<ModelId::ggx>)->Args({16, 2})->Unit(benchmark::kMillisecond)->UseRealTime();

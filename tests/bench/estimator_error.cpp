@@ -1,0 +1,138 @@
+// Error of the few-sample estimators on the stress light: relative RMS against `reference`, as CSV on standard output.
+//
+// One row per (model, mx, my, estimator, quadrature, samples, border, level bias, albedo correction), the mean over
+// `--lights` stress lights on a sphere of `--size` pixels. `burnish_estimator_error --help` lists the sweeps.
+#include "core/scenes.h"
+
+#include <burnish/base/parallel.h>
+#include <burnish/shading/dense.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <map>
+
+using namespace burnish;
+
+namespace {
+
+struct Sweep {
+    int size = 96, lights = 8, face_size = 512;
+    std::string model = "beckmann", kernel = "binomial6";
+    std::vector<float> mx{0.02f, 0.05f, 0.1f, 0.15f, 0.3f}, my, biases{-1.0f, -0.75f, -0.5f, -0.25f, 0.0f}, borders{0.0f};
+    std::vector<int> samples{19};
+    std::vector<std::string> estimators{"regular", "filtered_importance"}, quadratures{"half_vector"}, patterns{"automatic"};
+    bool uncorrected = false;
+};
+
+const std::map<std::string, ModelId> kModels{{"kurt", ModelId::kurt}, {"beckmann", ModelId::beckmann}, {"ggx", ModelId::ggx}};
+const std::map<std::string, PyramidKernel> kKernels{
+    {"box2", PyramidKernel::box2}, {"binomial4", PyramidKernel::binomial4}, {"binomial6", PyramidKernel::binomial6}};
+const std::map<std::string, EstimatorKind> kEstimators{{"regular", EstimatorKind::regular},
+                                                       {"filtered_importance", EstimatorKind::filtered_importance}};
+const std::map<std::string, Quadrature> kQuadratures{{"half_vector", Quadrature::half_vector},
+                                                     {"energy", Quadrature::energy},
+                                                     {"energy_squared", Quadrature::energy_squared}};
+const std::map<std::string, PatternKind> kPatterns{{"automatic", PatternKind::automatic},
+                                                   {"circles", PatternKind::circles},
+                                                   {"offset_circles", PatternKind::offset_circles},
+                                                   {"ring", PatternKind::ring},
+                                                   {"line", PatternKind::line}};
+
+/// sqrt(mean (a - b)^2) / mean(b) over pixels the reference shaded.
+double relative_rms(const Image& image, const Image& reference, const Image& samples) {
+    double square = 0, sum = 0, count = 0;
+    for (size_t i = 0; i < image.pixel_count(); ++i) {
+        if (*samples.at(i) == 0) continue;
+        const double d = image.at(i)[1] - reference.at(i)[1];
+        square += d * d, sum += reference.at(i)[1], ++count;
+    }
+    return std::sqrt(square / count) / (sum / count);
+}
+
+class Bench {
+public:
+    explicit Bench(const Sweep& sweep)
+        : m_sweep(sweep), m_frame(scenes::sphere_frame(sweep.size)), m_assignment(scenes::whole_frame(m_frame)),
+          m_surfaces(m_frame, m_assignment, {}) {
+        EnvironmentSettings settings;
+        settings.face_size = sweep.face_size, settings.kernel = kKernels.at(sweep.kernel);
+        for (int i = 0; i < sweep.lights; ++i)
+            m_lights.push_back(Environment::from_image(scenes::stress_light(1000 + i, 1024), settings, "stress"));
+    }
+
+    void run(float mx, float my) {
+        LobeParameters lobe;
+        lobe.model = kModels.at(m_sweep.model), lobe.mx = mx, lobe.my = my;
+        lobe.extra = {0.0f};
+        m_material.lobes = {lobe};
+        EstimatorSettings settings;
+        settings.kind = EstimatorKind::reference, settings.tolerance = 0.004f, settings.max_samples = 16384;
+        m_references.clear();
+        for (const Environment& light : m_lights) m_references.push_back(shade(light, settings));
+        for (const std::string& estimator : m_sweep.estimators) sweep_estimator(estimator, lobe);
+    }
+
+private:
+    ShadedFrame shade(const Environment& light, const EstimatorSettings& settings) const {
+        return shade_dense(m_surfaces, m_assignment, {MaterialShader(m_material, light, settings)}, {});
+    }
+
+    void sweep_estimator(const std::string& name, const LobeParameters& lobe) const {
+        const bool regular = name == "regular";
+        const std::vector<std::string> one{"-"};
+        for (const int samples : m_sweep.samples)
+            for (const std::string& quadrature : regular ? m_sweep.quadratures : one)
+                for (const std::string& pattern : regular ? m_sweep.patterns : one)
+                    for (const float border : regular ? m_sweep.borders : std::vector<float>{0})
+                        for (const float bias : m_sweep.biases) {
+                            EstimatorSettings settings;
+                            settings.kind = kEstimators.at(name), settings.samples = samples, settings.level_bias = bias;
+                            settings.border = border, settings.albedo_correction = !m_sweep.uncorrected;
+                            if (regular) settings.quadrature = kQuadratures.at(quadrature), settings.pattern = kPatterns.at(pattern);
+                            double error = 0, lookups = 0;
+                            for (size_t i = 0; i < m_lights.size(); ++i) {
+                                const ShadedFrame result = shade(m_lights[i], settings);
+                                error += relative_rms(result.overlay, m_references[i].overlay, m_references[i].samples) / m_lights.size();
+                                lookups = *std::max_element(result.samples.data.begin(), result.samples.data.end());
+                            }
+                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f\n", m_sweep.model.c_str(), lobe.mx, lobe.my, name.c_str(),
+                                        quadrature.c_str(), pattern.c_str(), samples, lookups, border, bias, !m_sweep.uncorrected, error);
+                            std::fflush(stdout);
+                        }
+    }
+
+    Sweep m_sweep;
+    AovFrame m_frame;
+    Assignment m_assignment;
+    Surfaces m_surfaces;
+    std::vector<Environment> m_lights;
+    Material m_material;
+    std::vector<ShadedFrame> m_references;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Sweep sweep;
+    CLI::App app("Relative RMS of the few-sample estimators on the stress light");
+    app.add_option("--size", sweep.size, "sphere diameter in pixels")->capture_default_str();
+    app.add_option("--lights", sweep.lights, "number of stress lights")->capture_default_str();
+    app.add_option("--face-size", sweep.face_size, "texels per cube face edge")->capture_default_str();
+    app.add_option("--kernel", sweep.kernel, "box2, binomial4 or binomial6")->capture_default_str();
+    app.add_option("--model", sweep.model, "kurt, beckmann or ggx")->capture_default_str();
+    app.add_option("--mx", sweep.mx, "slope widths")->delimiter(',')->capture_default_str();
+    app.add_option("--my", sweep.my, "slope widths along the bitangent; default: mx")->delimiter(',');
+    app.add_option("--samples", sweep.samples, "lookups")->delimiter(',')->capture_default_str();
+    app.add_option("--biases", sweep.biases, "level biases")->delimiter(',')->capture_default_str();
+    app.add_option("--borders", sweep.borders, "xi0; 0 = default")->delimiter(',')->capture_default_str();
+    app.add_option("--estimators", sweep.estimators, "regular, filtered_importance")->delimiter(',')->capture_default_str();
+    app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")->delimiter(',')->capture_default_str();
+    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, line")->delimiter(',')->capture_default_str();
+    app.add_flag("--uncorrected", sweep.uncorrected, "without the albedo correction");
+    CLI11_PARSE(app, argc, argv);
+    std::puts("model,mx,my,estimator,quadrature,pattern,samples,lookups,border,level_bias,corrected,relative_rms");
+    Bench bench(sweep);
+    for (size_t i = 0; i < sweep.mx.size(); ++i) bench.run(sweep.mx[i], i < sweep.my.size() ? sweep.my[i] : sweep.mx[i]);
+    return 0;
+}

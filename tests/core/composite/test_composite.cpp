@@ -1,0 +1,101 @@
+#include <burnish/base/error.h>
+#include <burnish/base/types.h>
+#include <burnish/composite/composite.h>
+
+#include <gtest/gtest.h>
+
+using namespace burnish;
+
+namespace {
+
+constexpr int kSize = 4;
+
+Image filled(int channels, float value) { return Image(kSize, kSize, channels, value); }
+
+Assignment covered(float coverage) {
+    Assignment a;
+    a.width = a.height = kSize;
+    a.rule.assign(kSize * kSize, 0);
+    a.coverage.assign(kSize * kSize, coverage);
+    return a;
+}
+
+AovFrame beauty_frame() {
+    AovFrame frame;
+    frame.file = "shot.exr";
+    frame.layers[Role::beauty] = filled(3, 0.1f + 0.2f);
+    frame.layers[Role::alpha] = filled(1, 0.25f);
+    return frame;
+}
+
+}  // namespace
+
+TEST(Composite, ZeroOverlayGivesTheBeautyBitForBit) {
+    const AovFrame frame = beauty_frame();
+    const Composite out = composite(frame, covered(1), filled(3, 0), nullptr, {Color3f(0, 0, 0)}, {});
+    for (size_t i = 0; i < out.beauty.pixel_count(); ++i) {
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(out.beauty.at(i)[c], frame.layers.at(Role::beauty).at(i)[c]);
+        EXPECT_EQ(out.beauty.at(i)[3], 0.25f);
+    }
+}
+
+TEST(Composite, GainTintMaskAndCoverageMultiplyTheOverlay) {
+    AovFrame frame = beauty_frame();
+    frame.layers[Role::mask] = filled(1, 0.5f);
+    CompositeSettings settings;
+    settings.gain = 3, settings.tint = Color3f(1, 0.5f, 0);
+    const Composite out = composite(frame, covered(0.5f), filled(3, 2), nullptr, {Color3f(0, 0, 0)}, settings);
+    EXPECT_FLOAT_EQ(out.overlay.at(5)[0], 2 * 3 * 0.5f * 0.5f);
+    EXPECT_FLOAT_EQ(out.overlay.at(5)[1], 2 * 3 * 0.5f * 0.5f * 0.5f);
+    EXPECT_FLOAT_EQ(out.overlay.at(5)[2], 0);
+    EXPECT_FLOAT_EQ(out.beauty.at(5)[0], 0.3f + 1.5f);
+}
+
+TEST(Composite, ReplaceTakesTheRenderedSpecularOut) {
+    AovFrame frame = beauty_frame();
+    frame.divided_by_albedo = true;
+    frame.layers[Role::specular_direct] = filled(3, 0.5f);
+    frame.layers[Role::specular_indirect] = filled(3, 0.25f);
+    frame.layers[Role::specular_albedo] = filled(3, 0.2f);
+    CompositeSettings settings;
+    settings.mode = CompositeMode::replace;
+    const Composite out = composite(frame, covered(1), filled(3, 1), nullptr, {Color3f(0, 0, 0)}, settings);
+    EXPECT_FLOAT_EQ(out.beauty.at(0)[0], 0.3f + 1 - 0.2f * 0.75f);
+    frame.divided_by_albedo = false;
+    EXPECT_FLOAT_EQ(rendered_specular(frame).at(0)[0], 0.75f);
+}
+
+TEST(Composite, DifferenceAddsNewMinusOld) {
+    CompositeSettings settings;
+    settings.mode = CompositeMode::difference;
+    const Image old_overlay = filled(3, 0.75f);
+    const Composite out = composite(beauty_frame(), covered(1), filled(3, 1), &old_overlay, {Color3f(0, 0, 0)}, settings);
+    EXPECT_FLOAT_EQ(out.beauty.at(0)[0], 0.3f + 0.25f);
+}
+
+TEST(Composite, BuildsTheDiffusePartWhereThereIsNoBeauty) {
+    AovFrame frame;
+    frame.divided_by_albedo = true;
+    frame.layers[Role::diffuse_direct] = filled(3, 2);
+    frame.layers[Role::diffuse_indirect] = filled(3, 1);
+    frame.layers[Role::diffuse_albedo] = filled(3, 0.5f);
+    EXPECT_FLOAT_EQ(composite(frame, covered(1), filled(3, 0), nullptr, {Color3f(0, 0, 0)}, {}).beauty.at(3)[1], 1.5f);
+
+    AovFrame lit;
+    lit.layers[Role::irradiance] = filled(3, kPi);
+    const Composite out = composite(lit, covered(1), filled(3, 0), nullptr, {Color3f(0.25f, 0.5f, 1)}, {});
+    EXPECT_FLOAT_EQ(out.beauty.at(3)[1], 0.5f);
+    EXPECT_FLOAT_EQ(out.diffuse.at(3)[0], 0.25f);
+}
+
+TEST(Composite, NamesWhatIsMissing) {
+    CompositeSettings settings;
+    settings.mode = CompositeMode::replace;
+    try {
+        composite(beauty_frame(), covered(1), filled(3, 1), nullptr, {Color3f(0, 0, 0)}, settings);
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), ErrorCode::missing_channel);
+        EXPECT_NE(std::string(e.what()).find("specular_direct"), std::string::npos);
+    }
+}
