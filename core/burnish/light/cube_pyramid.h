@@ -1,14 +1,10 @@
 // A seamless cube map with its MIP pyramid: every filtered lookup of distant light goes through here.
 //
 // Axes are the light's own: OpenEXR's, right-handed, Y up. Faces +X -X +Y -Y +Z -Z; (right, top) of the faces as seen in
-// the image: +X(+Z,+Y) -X(-Z,+Y) +Y(+X,+Z) -Y(+X,-Z) +Z(-X,+Y) -Z(+X,+Y).
+// the image: +X(+Z,+Y) -X(-Z,+Y) +Y(+X,+Z) -Y(+X,-Z) +Z(-X,+Y) -Z(+X,+Y). Texel centres are at +0.5.
 #pragma once
 
-#include <burnish/base/image.h>
-#include <burnish/base/types.h>
-
-#include <array>
-#include <vector>
+#include <burnish/light/cube_level.h>
 
 namespace burnish {
 
@@ -18,38 +14,40 @@ enum class PyramidKernel { box2, binomial4, binomial6 };
 class CubePyramid {
 public:
     CubePyramid() = default;
-    /// From six square RGB faces (N x N x 3, N a power of two).
+    /// From six square RGB faces (N x N x 3, N a power of two). Throws Error(bad_argument).
     CubePyramid(const std::array<Image, 6>& faces, PyramidKernel kernel);
 
-    int face_size() const { return m_levels.empty() ? 0 : m_levels[0].size; }
+    int face_size() const { return m_levels.empty() ? 0 : m_levels[0].size(); }
     int level_count() const { return static_cast<int>(m_levels.size()); }
 
     /// Radiance around unit direction d at a MIP level (0 = finest; clamped to the pyramid), trilinear, across faces
-    /// without a seam.
-    Color3f lookup(const Vec3f& d, float level) const;
+    /// without a seam. The pyramid must not be empty.
+    Color3f lookup(const Vec3f& d, float level) const {
+        const CubeCoord c = cube_coord(d);
+        const float clamped = std::min(std::max(0.0f, level), m_last_level);
+        const int fine = static_cast<int>(clamped);
+        const float blend = clamped - static_cast<float>(fine);
+        float sum[4] = {0, 0, 0, 0};
+        m_levels[fine].add_bilinear(c, 1.0f - blend, sum);
+        if (blend > 0.0f) m_levels[fine + 1].add_bilinear(c, blend, sum);
+        return {sum[0], sum[1], sum[2]};
+    }
 
     /// The level at which a texel covers `solid_angle` steradian around d (Regular eq. 16):
     /// log4( (N^2 / 4) solid_angle s^3 ), s = |d| / max |d_k|; may be negative.
-    float level(const Vec3f& d, float solid_angle) const;
+    float level(const Vec3f& d, float solid_angle) const {
+        const float largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+        const float s2 = d.length2() / (largest * largest);
+        return 0.5f * std::log2(m_texels_per_area * solid_angle * s2 * std::sqrt(s2));
+    }
 
     /// RGB of a texel, x and y in [-1, size] (one bordering texel on each side).
     Color3f texel(int level, int face, int x, int y) const;
 
 private:
-    /// One level: RGBA texels, six faces of (size + 2)^2, the border copied from the neighbouring faces.
-    struct Level {
-        int size = 0;
-        std::vector<float> rgba;
-    };
-    std::vector<Level> m_levels;
+    std::vector<CubeLevel> m_levels;
+    float m_last_level = 0.0f;       // level_count - 1
+    float m_texels_per_area = 0.0f;  // N^2 / 4: texels per unit area of the cube [-1, 1]^3
 };
-
-/// Face index and position in the face, x right and y down in [0, 1]^2, of a direction; and back (unit length).
-struct CubeCoord {
-    int face;
-    float x, y;
-};
-CubeCoord cube_coord(const Vec3f& d);
-Vec3f cube_direction(int face, float x, float y);
 
 }  // namespace burnish

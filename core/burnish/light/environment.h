@@ -16,12 +16,12 @@ enum class UpAxis { automatic, y, z };
 
 struct EnvironmentSettings {
     EnvironmentConvention convention = EnvironmentConvention::automatic;  // automatic: openexr for Y up, blender for Z up
-    UpAxis up = UpAxis::automatic;       // up axis of the render's world; automatic counts as y
-    float rotate_deg = 0.0f;             // turns the lookup direction about the up axis, as Blender's mapping node does
-    bool flip = false;                   // mirrors left and right
-    float scale = 1.0f;                  // multiplies radiance
+    UpAxis up = UpAxis::automatic;  // up axis of the render's world; automatic counts as y
+    float rotate_deg = 0.0f;        // turns the lookup direction about the up axis, as Blender's mapping node does
+    bool flip = false;              // mirrors left and right
+    float scale = 1.0f;             // multiplies radiance
     Color3f tint{1, 1, 1};
-    int face_size = 0;                   // texels per cube face edge; 0 = from the file
+    int face_size = 0;  // texels per cube face edge; 0 = from the file
     PyramidKernel kernel = PyramidKernel::binomial6;
 };
 
@@ -51,7 +51,8 @@ public:
     const std::vector<std::string>& warnings() const { return m_warnings; }
 
 private:
-    struct Source;                       // the picture as given and its sampling tables
+    struct Source;   // the picture as given and its sampling tables
+    struct Builder;  // fills the members below
     std::shared_ptr<const Source> m_source;
     CubePyramid m_pyramid;
     Matrix33f m_world_to_light;

@@ -1,0 +1,42 @@
+// From one level of a cube map to the next coarser one: binomial kernels that run across the faces' edges and keep both a
+// constant radiance and the total energy.
+//
+// A coarse texel c takes from the fine texels i
+//
+//     L_c = (1 / Omega_c) sum_i P_ci L_i,     P_ci = a_c k_ci b_i,     sum_i P_ci = Omega_c,     sum_c P_ci = Omega_i,
+//
+// k the plain separable kernel on the unfolded cube, Omega the texels' solid angles. The first sum makes a constant stay
+// constant, the second keeps sum L Omega. The factors a and b come from Sinkhorn's iteration (Sinkhorn 1964), they depend
+// on the size and the kernel only and are the same for the six faces; for the 2 x 2 box they are exact at once.
+#pragma once
+
+#include <burnish/light/cube_pyramid.h>
+
+#include <vector>
+
+namespace burnish {
+
+/// A double per texel of one face; all fields here have the symmetry of the square.
+struct FaceField {
+    int size = 0;
+    std::vector<double> values;
+};
+
+class CubeFilter {
+public:
+    /// For a pyramid whose finest faces have `size` texels a side.
+    CubeFilter(int size, PyramidKernel kernel);
+
+    /// The next level of half the size. Levels must come in order, from the finest on.
+    CubeLevel coarser(const CubeLevel& fine);
+
+private:
+    void balance();
+
+    std::vector<double> m_taps;          // one row of the separable kernel, sums to 1
+    FaceField m_fine, m_coarse;          // solid angles of the level to be filtered and of the one to be made
+    std::vector<float> m_fine_weight;    // b_i
+    std::vector<float> m_coarse_weight;  // a_c / Omega_c
+};
+
+}  // namespace burnish

@@ -1,0 +1,150 @@
+#include <burnish/light/picture_reader.h>
+
+#include <burnish/base/error.h>
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace burnish {
+namespace {
+
+constexpr int64_t kMaxPixels = int64_t{1} << 28;      // 16384 x 16384
+constexpr int64_t kSmallPicture = int64_t{64} << 20;  // bytes; below this any compression is believed
+constexpr int64_t kMaxCompression = 4096;             // zip reaches about 1000
+constexpr int64_t kHdrPixelsPerByte = 16;             // run lengths of 127 in each of four planes: 8 bytes for 127 pixels
+
+[[noreturn]] void refuse(const std::string& file, const std::string& problem) {
+    throw Error(ErrorCode::read_failed, file + ": " + problem);
+}
+
+int64_t bytes_on_disk(const std::string& file) {
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(file, failed)) refuse(file, "no such file. Check the path of the environment.");
+    const auto size = std::filesystem::file_size(file, failed);
+    if (failed || size == 0) refuse(file, "the file is empty or cannot be read.");
+    return static_cast<int64_t>(size);
+}
+
+/// Radiance files say their size in a line of text, "-Y height +X width"; OpenImageIO 2.4 trusts it blindly.
+void check_radiance_header(const std::string& file, int64_t bytes) {
+    std::ifstream in(file, std::ios::binary);
+    std::string head(static_cast<size_t>(std::min<int64_t>(bytes, 65536)), '\0');
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    const std::string extension = std::filesystem::path(file).extension().string();
+    const bool named = extension == ".hdr" || extension == ".rgbe" || extension == ".HDR";
+    if (!named && head.compare(0, 2, "#?") != 0) return;
+    if (head.compare(0, 2, "#?") != 0)
+        refuse(file, "not a Radiance picture: expected it to start with #?. Save it again as .hdr or .exr.");
+
+    const size_t blank = head.find("\n\n");
+    const size_t end = blank == std::string::npos ? blank : head.find('\n', blank + 2);
+    if (end == std::string::npos) refuse(file, "the Radiance header has no line with the picture's size. The file is damaged.");
+    const std::string line = head.substr(blank + 2, end - blank - 2);
+    std::istringstream words(line);
+    std::string first, second, rest;
+    int64_t rows = 0, columns = 0;
+    const bool parsed = static_cast<bool>(words >> first >> rows >> second >> columns) && !(words >> rest) &&
+                        first.size() == 2 && second.size() == 2 && rows > 0 && columns > 0;
+    if (!parsed)
+        refuse(file, "the Radiance header says \"" + line.substr(0, 60) +
+                         "\" where \"-Y height +X width\" was expected. The file is damaged.");
+    if (rows > kMaxPixels / columns || rows * columns > kHdrPixelsPerByte * bytes) {
+        refuse(file, "the header promises " + std::to_string(columns) + " x " + std::to_string(rows) +
+                         " pixels, more than the file's " + std::to_string(bytes) + " bytes can hold. The file is damaged.");
+    }
+}
+
+void check_size(const std::string& file, const OIIO::ImageSpec& spec, int64_t bytes) {
+    const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
+    if (spec.deep) refuse(file, "deep images hold no environment. Flatten it first.");
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1)
+        refuse(file, "a picture of " + size + " pixels is no environment.");
+    if (spec.height > kMaxPixels / spec.width)
+        refuse(file, size + " pixels are more than burnish reads. Make the environment smaller.");
+    const int64_t needed = static_cast<int64_t>(spec.width) * spec.height * static_cast<int64_t>(spec.pixel_bytes(true));
+    if (needed > kSmallPicture && needed / kMaxCompression > bytes) {
+        refuse(file, "the header promises " + size + " pixels, more than the file's " + std::to_string(bytes) +
+                         " bytes can hold. The file is damaged.");
+    }
+}
+
+/// Indices of red, green and blue.
+std::array<int, 3> color_channels(const std::string& file, const OIIO::ImageSpec& spec) {
+    const auto find = [&](const std::string& name) {
+        const auto at = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
+        return at == spec.channelnames.end() ? -1 : static_cast<int>(at - spec.channelnames.begin());
+    };
+    const auto layer = [&](const std::string& prefix) -> std::array<int, 3> {
+        return {find(prefix + "R"), find(prefix + "G"), find(prefix + "B")};
+    };
+    const auto complete = [](const std::array<int, 3>& c) { return std::min({c[0], c[1], c[2]}) >= 0; };
+
+    if (const auto rgb = layer(""); complete(rgb)) return rgb;
+    for (const std::string& name : spec.channelnames) {
+        if (!name.ends_with("Combined.R")) continue;
+        if (const auto rgb = layer(name.substr(0, name.size() - 1)); complete(rgb)) return rgb;
+    }
+    if (spec.nchannels <= 2) return {0, 0, 0};
+    std::string found;
+    for (const std::string& name : spec.channelnames) found += (found.empty() ? "" : ", ") + name;
+    refuse(file, "no colour: expected channels R, G, B or Combined.R, G, B, found " + found.substr(0, 200) + ".");
+}
+
+EnvmapTag tag_of(const OIIO::ImageSpec& spec) {
+    const std::string format = spec.get_string_attribute("textureformat");
+    if (format == "LatLong Environment") return EnvmapTag::latlong;
+    return format == "CubeFace Environment" ? EnvmapTag::cube : EnvmapTag::none;
+}
+
+/// The picture upright: Radiance files may store it mirrored or turned.
+Image upright(Image rgb, int orientation) {
+    if (orientation == 1) return rgb;
+    OIIO::ImageSpec spec(rgb.width, rgb.height, 3, OIIO::TypeFloat);
+    spec.attribute("Orientation", orientation);
+    const OIIO::ImageBuf turned = OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(spec, rgb.data.data()));
+    Image out(turned.spec().width, turned.spec().height, 3);
+    turned.get_pixels(OIIO::ROI::All(), OIIO::TypeFloat, out.data.data());
+    return out;
+}
+
+Image read_rgb(const std::string& file, OIIO::ImageInput& in) {
+    const OIIO::ImageSpec& spec = in.spec();
+    const std::array<int, 3> channels = color_channels(file, spec);
+    const auto [first, last] = std::minmax_element(channels.begin(), channels.end());
+    const int begin = *first, count = *last - begin + 1;
+    std::vector<float> pixels(static_cast<size_t>(spec.width) * spec.height * count);
+    if (!in.read_image(0, 0, begin, begin + count, OIIO::TypeFloat, pixels.data()))
+        refuse(file, "cannot be read: " + in.geterror());
+    Image rgb(spec.width, spec.height, 3);
+    for (size_t i = 0; i < rgb.pixel_count(); ++i) {
+        for (int k = 0; k < 3; ++k) rgb.at(i)[k] = pixels[i * count + channels[k] - begin];
+    }
+    return upright(std::move(rgb), spec.get_int_attribute("Orientation", 1));
+}
+
+}  // namespace
+
+Picture read_picture(const std::string& file) {
+    const int64_t bytes = bytes_on_disk(file);
+    check_radiance_header(file, bytes);
+    try {
+        const auto in = OIIO::ImageInput::open(file);
+        if (!in) refuse(file, "not a picture burnish can read: " + OIIO::geterror());
+        check_size(file, in->spec(), bytes);
+        return {read_rgb(file, *in), tag_of(in->spec())};
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& problem) {
+        refuse(file, std::string("cannot be read: ") + problem.what());
+    }
+}
+
+}  // namespace burnish
