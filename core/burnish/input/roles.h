@@ -9,19 +9,38 @@
 namespace burnish {
 
 enum class Role {
-    beauty, alpha, position, normal, geometric_normal, depth, tangent, uv,
-    roughness, anisotropy, rotation, tint, weight,
-    object_id, material_id, mask,
-    diffuse_direct, diffuse_indirect, diffuse_albedo, irradiance,
-    specular_direct, specular_indirect, specular_albedo,
+    beauty,
+    alpha,
+    position,
+    normal,
+    geometric_normal,
+    depth,
+    tangent,
+    uv,
+    roughness,
+    anisotropy,
+    rotation,
+    tint,
+    weight,
+    object_id,
+    material_id,
+    mask,
+    diffuse_direct,
+    diffuse_indirect,
+    diffuse_albedo,
+    irradiance,
+    specular_direct,
+    specular_indirect,
+    specular_albedo,
 };
 
 struct RoleInfo {
     Role role;
-    std::string_view name;                   // as `--channel name=layer` and the shot file spell it
-    int channels;                            // 1, 2 or 3
-    std::string_view help;                   // what the layer holds, units included
-    std::vector<std::string_view> aliases;   // normalised last layer tokens (lower case, without [ _-])
+    std::string_view name;                  // as `--channel name=layer` and the shot file spell it
+    int channels;                           // 1, 2 or 3
+    bool is_color;                          // light and colour: NaN and infinity are set to 0; data keeps them
+    std::string_view help;                  // what the layer holds, units included
+    std::vector<std::string_view> aliases;  // normalised last layer tokens (lower case, without [ _-]), best first
 };
 
 /// All roles, in the order of the enum.

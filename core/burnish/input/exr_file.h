@@ -1,0 +1,52 @@
+// An open EXR file: its layers, windows and attributes, and reading of chosen channels. The only caller of OpenImageIO
+// for AOV pixels.
+#pragma once
+
+#include <burnish/base/image.h>
+#include <burnish/input/frame.h>
+#include <burnish/input/layers.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// Channel `channel` of the file goes to component `component` of `image`.
+struct ChannelRead {
+    Channel channel;
+    Image* image;
+    int component;
+};
+
+class ExrFile {
+public:
+    /// Opens and checks the headers; throws Error(read_failed) as check_exr_header does, Error(bad_argument) for a view the
+    /// file does not have. `view`: "" = the first; ignored by mono files.
+    ExrFile(const std::string& file, const std::string& view);
+    ~ExrFile();
+
+    const std::string& name() const { return m_name; }
+    /// View that is read, "" for mono files.
+    const std::string& view() const { return m_view; }
+    const std::vector<Layer>& layers() const { return m_layers; }
+    /// The layer of that exact name, null when there is none.
+    const Layer* find_layer(const std::string& layer) const;
+
+    Window data_window(int part) const;
+    Window display_window() const;
+    /// Attributes of a part.
+    std::shared_ptr<const Metadata> metadata(int part) const;
+
+    /// Decodes the channels into their images, which must have the size of `window`; pixels of `window` outside a part's
+    /// data window stay as they are. Throws Error(read_failed) for missing or damaged pixels.
+    void read(const std::vector<ChannelRead>& reads, const Window& window) const;
+
+private:
+    struct Parts;
+    std::string m_name, m_view;
+    std::vector<Layer> m_layers;
+    std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace burnish

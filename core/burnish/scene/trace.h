@@ -1,0 +1,43 @@
+// Rays against a scene: closest hit and occlusion, by Embree.
+#pragma once
+
+#include <burnish/scene/scene.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace burnish {
+
+/// A point of a surface as a ray sees it; n, ng and t are unit vectors, n and ng on the side the ray came from.
+struct Hit {
+    float distance = 0;  // in lengths of the ray's direction
+    int object = -1;     // index into Scene::objects
+    Vec3f p, n, ng, t;   // world space; t is perpendicular to n
+    Vec2f uv;
+};
+
+class Tracer {
+public:
+    /// Builds the ray-tracing tree; the scene must outlive the tracer. Throws Error(bad_argument) for a triangle that names a
+    /// vertex its mesh does not have.
+    explicit Tracer(const Scene& scene);
+
+    const Scene& scene() const { return *m_scene; }
+
+    /// The first surface along origin + s direction, s > 0; the direction need not be unit length. Thread-safe.
+    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction) const;
+
+    /// Whether anything lies along origin + s direction for 0 < s < distance. Thread-safe.
+    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity()) const;
+
+private:
+    struct Embree;
+    const Scene* m_scene;
+    std::shared_ptr<const Embree> m_embree;
+};
+
+/// Where a ray that leaves the surface at `hit` starts, so that it does not meet the surface it leaves.
+Vec3f leaving_point(const Hit& hit);
+
+}  // namespace burnish
