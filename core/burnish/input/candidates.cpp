@@ -97,7 +97,8 @@ const Channel* channel_named(const std::string& name, const std::vector<Layer>& 
 }  // namespace
 
 std::string Candidate::description() const {
-    const std::string shown = letters(channels);
+    const bool is_bare = channels.front().name == layer;
+    const std::string shown = is_bare ? "" : letters(channels);
     return (layer.empty() ? "the main layer" : layer) + " (" + (shown.empty() ? "" : shown + ", ") +
            (channels.front().is_half ? "half)" : "float)");
 }

@@ -1,4 +1,6 @@
+#include <burnish/input/median.h>
 #include <burnish/input/role_checks.h>
+#include <burnish/input/sightings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,23 +9,9 @@
 namespace burnish {
 namespace {
 
-constexpr float kFarAway = 1e9f;  // renderers mark "nothing hit" with 1e10, 1e30 or infinity
-
 Vec3f vector_at(const Image& image, size_t i) {
     const float* v = image.at(i);
     return {v[0], v[1], v[2]};
-}
-
-bool is_usable_position(const Vec3f& p) {
-    const float size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return is_finite(p) && size > 0.0f && size < kFarAway;
-}
-
-float median(std::vector<float>& values) {
-    if (values.empty()) return 0.0f;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Every n-th pixel, so that statistics of large frames cost little and never vary.
@@ -37,14 +25,16 @@ bool is_near_one(float length) { return std::abs(length - 1.0f) < 0.05f; }
 }  // namespace
 
 VectorCheck check_vectors(const Image& vectors) {
-    std::vector<float> lengths;
+    std::vector<double> lengths;
     size_t unit = 0, encoded = 0;
     bool is_in_unit_cube = true;
-    for (size_t i = 0; i < vectors.pixel_count(); i += sample_step(vectors)) {
+    const size_t step = sample_step(vectors);
+    for (size_t i = 0; i < vectors.pixel_count(); i += step) {
         const Vec3f n = vector_at(vectors, i);
         if (!is_finite(n) || n == Vec3f(0.0f)) continue;
-        lengths.push_back(n.length());
-        unit += is_near_one(lengths.back());
+        const float length = n.length();
+        lengths.push_back(length);
+        unit += is_near_one(length);
         encoded += is_near_one((2.0f * n - Vec3f(1.0f)).length());
         is_in_unit_cube &= std::min({n.x, n.y, n.z}) >= 0.0f && std::max({n.x, n.y, n.z}) <= 1.001f;
     }
@@ -69,16 +59,14 @@ void decode_vectors(Image& vectors) {
 }
 
 PositionCheck check_positions(const Image& position) {
-    std::vector<float> sizes;
+    std::vector<double> sizes;
     const size_t step = sample_step(position);
     for (size_t i = 0; i < position.pixel_count(); i += step) {
-        const Vec3f p = vector_at(position, i);
-        if (is_usable_position(p)) sizes.push_back(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+        const float* p = position.at(i);
+        if (is_hit(p)) sizes.push_back(std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])}));
     }
-    PositionCheck check;
-    check.pixels = sizes.size() * step;
-    check.median_size = median(sizes);
-    return check;
+    if (sizes.empty()) return {};
+    return {sizes.size() * step, static_cast<float>(median(sizes))};
 }
 
 float half_step(float value) {
@@ -87,21 +75,15 @@ float half_step(float value) {
 }
 
 Facing facing_share(const Image& normal, const Image& position, const Vec3f& centre) {
-    const auto is_surface = [&](size_t i) {
-        const Vec3f n = vector_at(normal, i);
-        return is_usable_position(vector_at(position, i)) && is_finite(n) && n != Vec3f(0.0f);
-    };
+    constexpr size_t kWanted = 20000;
+    const Window window{0, 0, position.width, position.height};
     Facing facing;
     size_t towards = 0;
-    const size_t width = static_cast<size_t>(normal.width);
-    for (int y = 1; y + 1 < normal.height; ++y) {
-        for (int x = 1; x + 1 < normal.width; ++x) {
-            const size_t i = static_cast<size_t>(y) * width + static_cast<size_t>(x);
-            if (!is_surface(i) || !is_surface(i - 1) || !is_surface(i + 1) || !is_surface(i - width) || !is_surface(i + width))
-                continue;
-            ++facing.pixels;
-            towards += vector_at(normal, i).dot(centre - vector_at(position, i)) > 0.0f;
-        }
+    for (const Sighting& sighting : sample_sightings(position, nullptr, window, window, kWanted)) {
+        const Vec3f n = vector_at(normal, sighting.pixel);
+        if (!is_finite(n) || n == Vec3f(0.0f)) continue;
+        ++facing.pixels;
+        towards += n.dot(centre - vector_at(position, sighting.pixel)) > 0.0f;
     }
     if (facing.pixels > 0) facing.share = static_cast<double>(towards) / static_cast<double>(facing.pixels);
     return facing;
@@ -112,7 +94,7 @@ Image surface_mask(const Image& position, const Image* normal) {
     Image mask(position.width, position.height, 1);
     for (size_t i = 0; i < position.pixel_count(); ++i) {
         const bool is_whole = !normal || vector_at(*normal, i).length() > kAveragedLength;
-        mask.data[i] = is_usable_position(vector_at(position, i)) && is_whole ? 1.0f : 0.0f;
+        mask.data[i] = is_hit(position.at(i)) && is_whole ? 1.0f : 0.0f;
     }
     return mask;
 }

@@ -27,7 +27,7 @@ VectorCheck check_vectors(const Image& vectors);
 /// n <- 2n - 1; zero vectors (background) stay zero.
 void decode_vectors(Image& vectors);
 
-/// How many pixels have a usable position (finite, not zero, below 1e9), and how far from the origin they are.
+/// How many pixels see a surface (sightings.h), and how far from the origin it is.
 struct PositionCheck {
     size_t pixels = 0;
     float median_size = 0.0f;  // median over pixels of max(|x|, |y|, |z|), scene units
@@ -37,14 +37,14 @@ PositionCheck check_positions(const Image& position);
 /// Step between neighbouring half floats at `value`.
 float half_step(float value);
 
-/// Share of interior pixels (they and their four neighbours are surface) whose normal faces the viewer: dot(N, C - P) > 0.
+/// Share of interior pixels (not at silhouettes) whose normal faces the viewer at `centre`: dot(N, C - P) > 0.
 struct Facing {
-    size_t pixels = 0;
+    size_t pixels = 0;  // looked at
     double share = 0.0;
 };
 Facing facing_share(const Image& normal, const Image& position, const Vec3f& centre);
 
-/// 1 where position is usable and the normal (may be null) is not an average over an edge (length above 0.9), else 0.
+/// 1 where position is a surface point and the normal (may be null) is not an average over an edge (length above 0.9), else 0.
 Image surface_mask(const Image& position, const Image* normal);
 
 /// Sets NaN and infinite values to 0; returns how many pixels had one.
