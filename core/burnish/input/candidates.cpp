@@ -18,6 +18,15 @@ std::string letters(const std::vector<Channel>& channels) {
     return text;
 }
 
+std::string type_name(ChannelType type) {
+    switch (type) {
+        case ChannelType::half: return "half";
+        case ChannelType::float32: return "float";
+        case ChannelType::uint32: return "uint";
+    }
+    return "";
+}
+
 /// The first list of components the layer has completely; empty when it has none.
 std::vector<Channel> pick(const Layer& layer, const std::vector<std::vector<std::string>>& lists) {
     for (const std::vector<std::string>& list : lists) {
@@ -100,7 +109,7 @@ std::string Candidate::description() const {
     const bool is_bare = channels.front().name == layer;
     const std::string shown = is_bare ? "" : letters(channels);
     return (layer.empty() ? "the main layer" : layer) + " (" + (shown.empty() ? "" : shown + ", ") +
-           (channels.front().is_half ? "half)" : "float)");
+           type_name(channels.front().type) + ")";
 }
 
 std::vector<Candidate> candidates(Role role, const std::vector<Layer>& layers, Renderer renderer) {

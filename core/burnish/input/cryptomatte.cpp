@@ -45,24 +45,23 @@ std::vector<CryptomatteSource::Channel> layer_channels(const CryptomatteSource& 
     return found;
 }
 
-/// Splits a layer of four channels into its two ranks.
-void add_ranks(const Image& layer, std::vector<Image>& ranks) {
-    Image first(layer.width, layer.height, 2), second(layer.width, layer.height, 2);
-    for (size_t i = 0; i < layer.pixel_count(); ++i) {
-        std::copy_n(layer.at(i), 2, first.at(i));
-        std::copy_n(layer.at(i) + 2, 2, second.at(i));
+/// Splits layers of four channels into two ranks each.
+std::vector<Image> split_ranks(const Image& layers) {
+    std::vector<Image> ranks;
+    for (int first = 0; first < layers.channels; first += 2) {
+        Image& rank = ranks.emplace_back(layers.width, layers.height, 2);
+        for (size_t i = 0; i < layers.pixel_count(); ++i) std::copy_n(layers.at(i) + first, 2, rank.at(i));
     }
-    ranks.push_back(std::move(first));
-    ranks.push_back(std::move(second));
+    return ranks;
 }
 
+/// Reads all layers at once: files unpack every channel for each read.
 std::vector<Image> read_ranks(const CryptomatteSource& source, const std::string& name, std::vector<std::string>& warnings) {
-    std::vector<Image> ranks;
+    std::vector<std::string> names;
     for (int number = 0; number < kMostLayers; ++number) {
         const std::string layer = name + (number < 10 ? "0" : "") + std::to_string(number);
         const auto channels = layer_channels(source, layer);
         if (channels.size() != 4) break;
-        std::vector<std::string> names;
         for (const CryptomatteSource::Channel& channel : channels) {
             names.push_back(channel.name);
             if (channel.is_float) continue;
@@ -70,11 +69,10 @@ std::vector<Image> read_ranks(const CryptomatteSource& source, const std::string
                                " must be 32-bit float to hold ids; write cryptomattes as float");
             return {};
         }
-        add_ranks(source.read(names), ranks);
     }
-    if (ranks.empty())
+    if (names.empty())
         warnings.push_back(source.file + ": cryptomatte " + name + " is not used: no layer " + name + "00 with four channels");
-    return ranks;
+    return names.empty() ? std::vector<Image>() : split_ranks(source.read(names));
 }
 
 /// The attributes of one cryptomatte, by key.

@@ -3,6 +3,7 @@
 #include <burnish/input/exr_reader.h>
 #include <burnish/input/frame_geometry.h>
 #include <burnish/input/metadata_spec.h>
+#include <burnish/input/read_cryptomattes.h>
 #include <burnish/input/settle.h>
 
 #include <algorithm>
@@ -54,6 +55,15 @@ void note_layer(const ExrFile& file, const Slot& slot, AovFrame& frame) {
     frame.notes.push_back(line);
 }
 
+void add_cryptomattes(const ExrFile& file, AovFrame& frame) {
+    frame.cryptomattes = read_cryptomattes(file, frame.data_window, frame.warnings);
+    for (const Cryptomatte& matte : frame.cryptomattes) {
+        const std::string names =
+            matte.manifest.empty() ? "no list of names" : std::to_string(matte.manifest.size()) + " names";
+        frame.notes.push_back("cryptomatte: " + matte.name + ", " + std::to_string(matte.ranks.size()) + " ranks, " + names);
+    }
+}
+
 AovFrame read_checked(const std::string& name, const ReadOptions& options) {
     const ExrFile file(name, options.view);
     const Fingerprint print = fingerprint(*file.metadata(0), file.layers());
@@ -63,6 +73,7 @@ AovFrame read_checked(const std::string& name, const ReadOptions& options) {
     for (Slot& slot : slots) settle(file, slot, frame);
     settle_geometry(file, slots, options, frame);
     for (const Slot& slot : slots) note_layer(file, slot, frame);
+    if (options.cryptomattes) add_cryptomattes(file, frame);
     return frame;
 }
 
