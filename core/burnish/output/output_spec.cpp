@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <regex>
 #include <set>
 
 namespace burnish {
@@ -68,13 +67,25 @@ void add_history(const AovFrame& frame, const std::vector<OutputLayer>& layers, 
     spec.attribute("Software", kSoftware);
 }
 
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+bool is_plain_token(std::string_view token) {
+    const auto fits = [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    return !token.empty() && is_letter(token.front()) && std::all_of(token.begin(), token.end(), fits);
+}
+
+/// "R" or "burnish_spec.R".
+bool is_plain_name(std::string_view channel) {
+    const size_t dot = channel.find('.');
+    return is_plain_token(channel.substr(0, dot)) && (dot == std::string_view::npos || is_plain_token(channel.substr(dot + 1)));
+}
+
 void name_channels(const std::string& file, const std::vector<OutputLayer>& layers, OIIO::ImageSpec& spec) {
-    static const std::regex kPlain("[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*)?");
     std::set<std::string> seen;
     spec.channelnames.clear();
     for (const OutputLayer& layer : layers) {
         for (const std::string& channel : layer.channels) {
-            if (!std::regex_match(channel, kPlain))
+            if (!is_plain_name(channel))
                 throw Error(ErrorCode::bad_argument, file + ": channel name \"" + channel +
                                                          "\": use letters, digits and _, letters first, one dot at most, "
                                                          "as in burnish_spec.R");
