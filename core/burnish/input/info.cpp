@@ -105,7 +105,8 @@ nlohmann::json describe_json(const AovFrame& frame) {
     for (const Cryptomatte& matte : frame.cryptomattes) json["cryptomattes"].push_back(matte.name);
     for (const Possibility& job : possibilities(frame))
         json["jobs"][job.name] = {{"possible", job.missing.empty()}, {"missing", job.missing}};
-    return json;
+    // Names come from files and may hold any bytes; JSON must be UTF-8.
+    return nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace burnish

@@ -23,7 +23,7 @@ std::vector<Possibility> possibilities(const AovFrame& frame);
 std::string describe(const AovFrame& frame);
 
 /// The same for machines: {file, renderer, data_window, display_window, roles, cryptomattes, camera, notes, warnings, jobs}.
-/// Windows are [x, y, width, height].
+/// Windows are [x, y, width, height]. Bytes that are not UTF-8 are replaced.
 nlohmann::json describe_json(const AovFrame& frame);
 
 }  // namespace burnish

@@ -63,5 +63,11 @@ TEST(Info, SaysTheSameToPeopleAndMachines) {
     EXPECT_TRUE(json["camera"].is_null());
 }
 
+TEST(Info, WritesJsonWhateverBytesTheNamesHave) {
+    AovFrame frame = frame_with({});
+    frame.notes = {"layer \xff\xfe"};
+    EXPECT_NO_THROW(describe_json(frame).dump());
+}
+
 }  // namespace
 }  // namespace burnish
