@@ -60,8 +60,8 @@ struct BeckmannDistribution {
     /// Width along w's azimuth times its sine: |(mx x, my y)|.
     float projected_width(const Vec3f& w) const { return std::sqrt(m_mx * m_mx * w.x * w.x + m_my * m_my * w.y * w.y); }
 
-    /// tan(theta) / m at which D cos^4 has fallen to xi0 of its peak.
-    float border(float xi0) const { return std::sqrt(-std::log(xi0)); }
+    /// tan(theta) / m beyond which the share xi of the slopes lies: exp(-r^2) = xi; also where D cos^4 has fallen to xi.
+    float border(float xi) const { return std::sqrt(-std::log(xi)); }
 
     float mx() const { return m_mx; }
     float my() const { return m_my; }

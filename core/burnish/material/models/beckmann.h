@@ -42,7 +42,7 @@ public:
 
     Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return reflect(wo, sample_visible_normal(m_normals, wo, u)); }
     float D(const Vec3f& wm) const { return m_normals.D(wm); }
-    float border(float xi0) const { return m_normals.border(xi0); }
+    float border(float xi) const { return m_normals.border(xi); }
 
     /// Share of the microfacets facing w that w sees, in [0, 1].
     float G1(const Vec3f& w) const {

@@ -49,7 +49,7 @@ public:
 
     Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return reflect(wo, m_normals.sample(u)); }
     float D(const Vec3f& wm) const { return m_normals.D(wm); }
-    float border(float xi0) const { return m_normals.border(xi0); }
+    float border(float xi) const { return m_normals.border(xi); }
 
 private:
     BeckmannDistribution m_normals;
