@@ -56,7 +56,7 @@ inline uint32_t sobol_pascal(uint32_t i) {
 }
 
 /// Owen's nested scrambling of bits given lowest first: each bit is flipped by a hash of the seed and the bits below it.
-/// Source: Laine & Karras 2011, 3.2, and Burley 2020, 2.4; constants by Vegdahl 2021.
+/// Source: Laine & Karras 2011 and Burley 2020; constants by Vegdahl 2021.
 inline uint32_t owen_scramble_reversed(uint32_t x, uint32_t seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
