@@ -9,11 +9,13 @@
 
 namespace burnish {
 
-/// One line of the shot file's "assign"; a rule with no selector takes the whole frame.
+/// One line of the shot file's "assign"; a rule with no selector takes the whole frame, one with several takes what all of
+/// them select.
 struct AssignRule {
     std::string material;                          // name in the job's materials, a preset or a file
     std::optional<int> object_index, material_index;
-    std::string cryptomatte;                       // wildcard pattern over object names, "" = none
+    std::string cryptomatte;                       // object names as in matching_ids(), "" = none; "CryptoMaterial:brass*"
+                                                   // looks in that cryptomatte instead of the first that lists a match
 };
 
 /// Per pixel: index into the list of rules (-1 = none) and the share of the pixel it covers, in [0, 1].
@@ -24,6 +26,8 @@ struct Assignment {
     std::vector<size_t> counts;                    // pixels per rule
 };
 
+/// Gives each pixel the rule that covers most of it. Where rules select the same object the last one takes it, and what
+/// earlier rules cover is at most what later ones leave. Index layers have no coverage: what they select is covered wholly.
 /// Throws Error(missing_channel) when a rule needs ids the frame does not have.
 Assignment assign_rules(const AovFrame& frame, const std::vector<AssignRule>& rules);
 

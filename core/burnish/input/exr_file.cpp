@@ -6,6 +6,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <thread>
 
@@ -27,7 +29,12 @@ PartNames part_names(const OIIO::ImageSpec& spec) {
     names.name = spec.get_string_attribute("oiio:subimagename");
     names.view = spec.get_string_attribute("view");
     names.channels = spec.channelnames;
-    for (int c = 0; c < spec.nchannels; ++c) names.is_half.push_back(spec.channelformat(c) == OIIO::TypeHalf);
+    for (int c = 0; c < spec.nchannels; ++c) {
+        const OIIO::TypeDesc type = spec.channelformat(c);
+        names.types.push_back(type == OIIO::TypeHalf     ? ChannelType::half
+                              : type == OIIO::TypeUInt32 ? ChannelType::uint32
+                                                         : ChannelType::float32);
+    }
     if (const OIIO::ParamValue* views = spec.find_attribute("multiView"))
         for (int i = 0; i < views->type().arraylen; ++i) names.multi_view.push_back(views->get_string_indexed(i));
     return names;
@@ -45,6 +52,7 @@ std::string choose_view(const std::string& file, const std::vector<std::string>&
 /// Channels [begin, end) of one part, which one call can read, and where they go.
 struct Run {
     int begin, end;
+    bool is_integer;  // uint channels are read as such: OpenImageIO would scale them to 0..1
     std::vector<const ChannelRead*> reads;
 };
 
@@ -55,7 +63,9 @@ std::map<int, std::vector<Run>> runs_by_part(const std::vector<ChannelRead>& rea
     std::map<int, std::vector<Run>> parts;
     for (const auto& [place, same_channel] : sorted) {
         std::vector<Run>& runs = parts[place.first];
-        if (runs.empty() || runs.back().end != place.second) runs.push_back({place.second, place.second, {}});
+        const bool is_integer = same_channel.front()->channel.type == ChannelType::uint32;
+        if (runs.empty() || runs.back().end != place.second || runs.back().is_integer != is_integer)
+            runs.push_back({place.second, place.second, is_integer, {}});
         runs.back().end = place.second + 1;
         runs.back().reads.insert(runs.back().reads.end(), same_channel.begin(), same_channel.end());
     }
@@ -99,8 +109,14 @@ void scatter(const Run& run, const Window& piece, const std::vector<float>& pixe
 bool read_piece(OIIO::ImageInput& input, int part, const OIIO::ImageSpec& spec, const Run& run, const Window& piece,
                 float* pixels) {
     const int right = piece.x + piece.width, bottom = piece.y + piece.height;
-    if (!spec.tile_width) return input.read_scanlines(part, 0, piece.y, bottom, 0, run.begin, run.end, OIIO::TypeFloat, pixels);
-    return input.read_tiles(part, 0, piece.x, right, piece.y, bottom, 0, 1, run.begin, run.end, OIIO::TypeFloat, pixels);
+    const OIIO::TypeDesc type = run.is_integer ? OIIO::TypeUInt32 : OIIO::TypeFloat;
+    const bool is_read =
+        spec.tile_width ? input.read_tiles(part, 0, piece.x, right, piece.y, bottom, 0, 1, run.begin, run.end, type, pixels)
+                        : input.read_scanlines(part, 0, piece.y, bottom, 0, run.begin, run.end, type, pixels);
+    const size_t values = static_cast<size_t>(piece.width) * piece.height * (run.end - run.begin);
+    for (size_t i = 0; is_read && run.is_integer && i < values; ++i)
+        pixels[i] = static_cast<float>(std::bit_cast<uint32_t>(pixels[i]));
+    return is_read;
 }
 
 void read_part(OIIO::ImageInput& input, const std::string& file, int part, const OIIO::ImageSpec& spec,

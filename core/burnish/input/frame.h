@@ -3,6 +3,7 @@
 
 #include <burnish/base/image.h>
 #include <burnish/input/camera.h>
+#include <burnish/input/renderer.h>
 #include <burnish/input/roles.h>
 
 #include <map>
@@ -26,6 +27,7 @@ struct Cryptomatte {
 /// A frame in memory. Every layer has the size of `data_window`. Layers are linear; data layers are never colour managed.
 struct AovFrame {
     std::string file;
+    Renderer renderer = Renderer::unknown;       // by the file's fingerprint; says what its passes mean
     Window data_window, display_window;
     std::map<Role, Image> layers;
     std::optional<Camera> camera;

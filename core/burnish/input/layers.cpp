@@ -91,9 +91,9 @@ std::vector<Layer> gather_layers(const std::vector<PartNames>& parts, const std:
             if (!part.multi_view.empty() && parts.size() == 1 && take_view(full, part.multi_view) != view) continue;
             const ChannelName name = split_channel(full);
             const std::string layer = layer_of(name, part, is_main_part, scattered);
-            add_channel(layers, layer,
-                        {part.channels[c], normal_component(name.component), static_cast<int>(p), static_cast<int>(c),
-                         part.is_half[c]});
+            add_channel(
+                layers, layer,
+                {part.channels[c], normal_component(name.component), static_cast<int>(p), static_cast<int>(c), part.types[c]});
         }
     }
     return layers;

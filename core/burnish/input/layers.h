@@ -10,11 +10,13 @@
 
 namespace burnish {
 
+enum class ChannelType { half, float32, uint32 };
+
 struct Channel {
     std::string name;       // full name in the file
     std::string component;  // normal form: r g b a x y z w u v, else lower case
     int part = 0, index = 0;
-    bool is_half = false;
+    ChannelType type = ChannelType::float32;
 };
 
 struct Layer {
@@ -29,7 +31,7 @@ struct Layer {
 struct PartNames {
     std::string name, view;
     std::vector<std::string> channels;
-    std::vector<bool> is_half;
+    std::vector<ChannelType> types;
     std::vector<std::string> multi_view;  // the older way: views inside one part, the first is unmarked
 };
 

@@ -1,0 +1,119 @@
+#include <burnish/base/error.h>
+#include <burnish/base/parallel.h>
+#include <burnish/input/assign.h>
+#include <burnish/input/cryptomatte.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace burnish {
+namespace {
+
+/// The objects a rule names, in the cryptomatte that knows them.
+struct NamedObjects {
+    const Cryptomatte* cryptomatte = nullptr;
+    std::vector<uint32_t> ids;  // sorted
+};
+
+/// True when the manifest lists one of the ids.
+bool lists_any(const Cryptomatte& cryptomatte, const std::vector<uint32_t>& ids) {
+    return std::any_of(cryptomatte.manifest.begin(), cryptomatte.manifest.end(),
+                       [&](const auto& entry) { return std::binary_search(ids.begin(), ids.end(), entry.second); });
+}
+
+NamedObjects find_objects(const std::vector<Cryptomatte>& cryptomattes, const std::string& patterns) {
+    for (const Cryptomatte& cryptomatte : cryptomattes)
+        for (const std::string& name : {cryptomatte.name, cryptomatte.name.substr(cryptomatte.name.rfind('.') + 1)})
+            if (patterns.starts_with(name + ":"))
+                return {&cryptomatte, matching_ids(cryptomatte, patterns.substr(name.size() + 1))};
+    for (const Cryptomatte& cryptomatte : cryptomattes) {
+        if (cryptomatte.manifest.empty()) continue;
+        if (auto ids = matching_ids(cryptomatte, patterns); lists_any(cryptomatte, ids)) return {&cryptomatte, std::move(ids)};
+    }
+    const auto unlisted = std::find_if(cryptomattes.begin(), cryptomattes.end(),
+                                       [](const Cryptomatte& cryptomatte) { return cryptomatte.manifest.empty(); });
+    const Cryptomatte& last_resort = unlisted != cryptomattes.end() ? *unlisted : cryptomattes.front();
+    return {&last_resort, matching_ids(last_resort, patterns)};
+}
+
+[[noreturn]] void fail_missing(const AovFrame& frame, const AssignRule& rule, size_t index, const std::string& what,
+                               const std::string& remedy) {
+    throw Error(ErrorCode::missing_channel, frame.file + ": assign[" + std::to_string(index) + "] (material " + rule.material +
+                                                ") needs " + what + ", which the frame does not have; " + remedy);
+}
+
+const Image& index_layer(const AovFrame& frame, Role role, const AssignRule& rule, size_t index) {
+    if (const auto layer = frame.layers.find(role); layer != frame.layers.end()) return layer->second;
+    const bool object = role == Role::object_id;
+    fail_missing(frame, rule, index, object ? "an object index layer" : "a material index layer",
+                 std::string("render one (") + (object ? "IndexOB" : "IndexMA") + " in Blender), name it with --channel " +
+                     (object ? "object_id" : "material_id") + "=LAYER, or select by cryptomatte");
+}
+
+bool is_index(const Image& layer, size_t pixel, int wanted) {
+    return std::fabs(*layer.at(pixel) - static_cast<float>(wanted)) < 0.5f;
+}
+
+/// Share of each pixel that a rule selects on its own.
+Image selected_share(const AovFrame& frame, const AssignRule& rule, size_t index, const NamedObjects& objects) {
+    Image share = objects.cryptomatte ? cryptomatte_coverage(*objects.cryptomatte, objects.ids)
+                                      : Image(frame.data_window.width, frame.data_window.height, 1, 1.0f);
+    const auto keep = [&](Role role, const std::optional<int>& wanted) {
+        if (!wanted) return;
+        const Image& layer = index_layer(frame, role, rule, index);
+        for (size_t i = 0; i < share.pixel_count(); ++i)
+            if (!is_index(layer, i, *wanted)) *share.at(i) = 0;
+    };
+    keep(Role::object_id, rule.object_index);
+    keep(Role::material_id, rule.material_index);
+    return share;
+}
+
+/// The objects each rule keeps: those that no later rule takes whole.
+std::vector<NamedObjects> objects_of_rules(const AovFrame& frame, const std::vector<AssignRule>& rules) {
+    std::vector<NamedObjects> objects(rules.size());
+    for (size_t r = rules.size(); r-- > 0;) {
+        if (rules[r].cryptomatte.empty()) continue;
+        if (frame.cryptomattes.empty())
+            fail_missing(frame, rules[r], r, "a cryptomatte", "render one, or select by object_index or material_index");
+        objects[r] = find_objects(frame.cryptomattes, rules[r].cryptomatte);
+        for (size_t later = r + 1; later < rules.size(); ++later) {
+            const bool partly = rules[later].object_index || rules[later].material_index;
+            if (partly || objects[later].cryptomatte != objects[r].cryptomatte) continue;
+            std::vector<uint32_t> rest;
+            std::set_difference(objects[r].ids.begin(), objects[r].ids.end(), objects[later].ids.begin(),
+                                objects[later].ids.end(), std::back_inserter(rest));
+            objects[r].ids = std::move(rest);
+        }
+    }
+    return objects;
+}
+
+}  // namespace
+
+Assignment assign_rules(const AovFrame& frame, const std::vector<AssignRule>& rules) {
+    if (rules.size() > static_cast<size_t>(std::numeric_limits<int16_t>::max()))
+        throw Error(ErrorCode::bad_argument, "assign has " + std::to_string(rules.size()) + " rules; at most 32767");
+    const size_t pixels = static_cast<size_t>(frame.data_window.width) * frame.data_window.height;
+    Assignment result{frame.data_window.width, frame.data_window.height, std::vector<int16_t>(pixels, -1),
+                      std::vector<float>(pixels, 0.0f), std::vector<size_t>(rules.size(), 0)};
+    const std::vector<NamedObjects> objects = objects_of_rules(frame, rules);
+    std::vector<float> left(pixels, 1.0f);  // share of the pixel that later rules do not cover
+    for (size_t r = rules.size(); r-- > 0;) {
+        const Image share = selected_share(frame, rules[r], r, objects[r]);
+        for (size_t i = 0; i < pixels; ++i) {
+            const float taken = std::min(*share.at(i), left[i]);
+            left[i] -= taken;
+            if (!(taken > result.coverage[i])) continue;
+            result.coverage[i] = taken;
+            result.rule[i] = static_cast<int16_t>(r);
+        }
+    }
+    for (int16_t r : result.rule)
+        if (r >= 0) ++result.counts[static_cast<size_t>(r)];
+    return result;
+}
+
+}  // namespace burnish

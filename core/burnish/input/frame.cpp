@@ -1,0 +1,20 @@
+#include <burnish/base/error.h>
+#include <burnish/input/frame.h>
+#include <burnish/input/metadata_spec.h>
+
+namespace burnish {
+
+const Image& AovFrame::layer(Role role) const {
+    if (const auto found = layers.find(role); found != layers.end()) return found->second;
+    const RoleInfo& info = role_info(role);
+    const std::string name(info.name);
+    std::string aliases;
+    for (const std::string_view alias : info.aliases)
+        if (!alias.empty()) aliases += (aliases.empty() ? "" : ", ") + std::string(alias);
+    std::string has = metadata ? metadata->layers : "";
+    throw Error(ErrorCode::missing_channel, (file.empty() ? "frame" : file) + ": no " + name + " layer (" +
+                                                std::string(info.help) + "); looked for " + aliases + "; the file has " +
+                                                (has.empty() ? "none" : has) + "; name it with --channel " + name + "=NAME");
+}
+
+}  // namespace burnish

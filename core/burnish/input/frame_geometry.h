@@ -1,0 +1,21 @@
+// The geometry of a frame once its layers are read: the camera, and how position and depth agree with it.
+#pragma once
+
+#include <burnish/input/frame.h>
+
+#include <functional>
+
+namespace burnish {
+
+/// Gives the frame its camera: the explicit one (`given` may be empty), else the header's if it agrees with the position
+/// layer, else the one recovered from position. Says in notes which and why; a frame without camera gets a warning when it
+/// has positions or depth.
+void find_camera(AovFrame& frame, const std::function<Camera(const AovFrame&)>& given);
+
+/// With position and a camera: notes whether depth is planar or ray length, and takes depth out when it is neither.
+void judge_depth(AovFrame& frame);
+
+/// Without position, but with depth and a camera with rays: makes position. `ray_length`: what the depth measures.
+void complete_position(AovFrame& frame, bool ray_length);
+
+}  // namespace burnish

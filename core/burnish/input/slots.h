@@ -1,0 +1,29 @@
+// The roles a job wants of a file, and the layers that may fill each: what is decoded first, and what next if that fails.
+#pragma once
+
+#include <burnish/input/candidates.h>
+#include <burnish/input/exr_file.h>
+#include <burnish/input/exr_reader.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+struct Slot {
+    Role role;
+    std::vector<Candidate> candidates;  // never empty, best first; the front one is read
+    std::string finding = {};           // what the numbers say about it
+
+    std::string name() const { return std::string(role_info(role).name); }
+};
+
+/// One slot per wanted role that any layer fits by name. A pass that holds direct and indirect light together stands in the
+/// direct role; the indirect one is then left out, it would count twice.
+std::vector<Slot> wanted_slots(const ExrFile& file, const ReadOptions& options, Renderer renderer);
+
+/// Decodes the front candidate of every slot into the frame, in one pass over the file.
+void read_slots(const ExrFile& file, std::span<const Slot> slots, AovFrame& frame);
+
+}  // namespace burnish
