@@ -30,6 +30,9 @@ bool faces_are_named(EnvironmentLayout layout);
 /// Cuts the picture (not lat-long) into the faces +X -X +Y -Y +Z -Z.
 std::array<Image, 6> cut_faces(const Image& picture, EnvironmentLayout layout);
 
+/// The inverse for the horizontal cross: faces of N x N x C to 4 N x 3 N x C, 0 around.
+Image horizontal_cross(const std::array<Image, 6>& faces);
+
 /// Faces named after the axes of a Z-up world, as the light's Y-up faces (x, y, z) -> (x, z, -y); no face needs turning.
 std::array<Image, 6> from_z_up_names(std::array<Image, 6> faces);
 
