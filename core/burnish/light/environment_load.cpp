@@ -55,9 +55,9 @@ void warn(const Scrubbed& count, const std::string& name, std::vector<std::strin
     const auto add = [&](size_t n, const char* what) {
         if (n > 0) warnings.push_back(name + ": " + std::to_string(n) + " " + what);
     };
-    add(count.not_a_number, "values are not a number, set to 0");
-    add(count.infinite, "values are infinite, set to the largest finite value of the picture");
-    add(count.negative, "values are negative, set to 0");
+    add(count.not_a_number, "NaN values set to 0");
+    add(count.infinite, "infinite values set to the largest finite value of the picture");
+    add(count.negative, "negative values set to 0");
 }
 
 /// First three channels, or the first one three times.
