@@ -28,7 +28,7 @@ Image displayed(const Image& image, const PreviewSettings& settings) {
             const float value = image.at(i)[c] * gain;
             rgb.at(i)[c] = std::isnan(value) ? 0.0f : value;
         }
-    apply_view(rgb, settings.space, settings.display, settings.view, settings.config);
+    apply_view(rgb, settings.space, settings.display, settings.view, settings.config ? *settings.config : ColorConfig::load());
     return rgb;
 }
 

@@ -4,15 +4,16 @@
 #include <burnish/base/image.h>
 #include <burnish/input/color.h>
 
+#include <optional>
 #include <string>
 
 namespace burnish {
 
 struct PreviewSettings {
-    ColorConfig config = ColorConfig::load();  // $OCIO, or the plain config: sRGB without tone mapping
-    std::string space = "scene_linear";        // colour space of the image
-    std::string display, view;                 // empty: the config's default
-    float exposure_stops = 0;                  // the light is multiplied by 2^stops
+    std::optional<ColorConfig> config;   // none: $OCIO, or the plain config, which is sRGB without tone mapping
+    std::string space = "scene_linear";  // colour space of the image
+    std::string display, view;           // empty: the config's default
+    float exposure_stops = 0;            // the light is multiplied by 2^stops
 };
 
 /// Writes linear RGB(A) as an RGB PNG; alpha is dropped, which shows associated colour over black. NaN is shown black.

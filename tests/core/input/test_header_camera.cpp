@@ -96,6 +96,9 @@ TEST(HeaderCamera, IsTrustedWithAWordOfCautionWhenThereIsNoPosition) {
     const CameraHeader header{camera_to_world(kTruth).inverse(), false, kFov};
     expect_camera(header_camera(header, nullptr, nullptr, kFrame, kFrame, 1, note), kTruth, 1e-5f);
     EXPECT_NE(note.find("not checked"), std::string::npos);
+    const Image nothing(kFrame.width, kFrame.height, 3);
+    expect_camera(header_camera(header, &nothing, nullptr, kFrame, kFrame, 1, note), kTruth, 1e-5f);
+    EXPECT_NE(note.find("too few pixels"), std::string::npos);
     const auto blind = header_camera({header.matrix, false, {}}, nullptr, nullptr, kFrame, kFrame, 1, note);
     ASSERT_TRUE(blind);
     EXPECT_FALSE(blind->has_rays);
