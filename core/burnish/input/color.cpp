@@ -1,11 +1,12 @@
 #include <burnish/base/error.h>
+#include <burnish/base/nearest_name.h>
 #include <burnish/base/parallel.h>
 #include <burnish/input/color.h>
-#include <burnish/input/near_names.h>
 #include <burnish/input/plain_color_config.h>
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -43,20 +44,28 @@ std::vector<std::string> known_names(const ocio::Config& config) {
     return names;
 }
 
-void check_space(const std::string& space, const ColorConfig::State& state) {
-    if (state.config->getColorSpace(space.c_str())) return;
-    fail("colour space \"" + space + "\" is not in the config " + state.name +
-         "; near names: " + near_names(space, known_names(*state.config)));
+/// Throws for a name that is not in the config: the one that may have been meant, and those there are.
+[[noreturn]] void fail_unknown(const std::string& what, const std::string& name, const std::string& config,
+                               const std::vector<std::string>& known, const std::vector<std::string>& listed) {
+    constexpr size_t kLongestList = 16;  // studio configs have hundreds
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    std::string message = what + " \"" + name + "\" is not in the config " + config + did_you_mean(name, views) + "; it has";
+    for (size_t i = 0; i < std::min(listed.size(), kLongestList); ++i) message += (i ? ", " : " ") + listed[i];
+    if (listed.size() > kLongestList) message += " and " + std::to_string(listed.size() - kLongestList) + " more";
+    fail(message);
+}
+
+void check_space(const std::string& space, const ColorConfig& config) {
+    const ocio::Config& c = *config.state().config;
+    if (!c.getColorSpace(space.c_str())) fail_unknown("colour space", space, config.name(), known_names(c), config.spaces());
 }
 
 /// `name` if the config lists it, the config's default when it is empty.
 std::string choose(const char* what, const std::string& name, const char* preset, const std::vector<std::string>& names,
                    const ColorConfig& config) {
     if (name.empty()) return preset;
-    for (const std::string& known : names)
-        if (known == name) return known;
-    fail(std::string(what) + " \"" + name + "\" is not in the config " + config.name() + "; it has " +
-         near_names(name, names, names.size()));
+    if (std::find(names.begin(), names.end(), name) == names.end()) fail_unknown(what, name, config.name(), names, names);
+    return name;
 }
 
 /// Rows in parallel; without OpenColorIO's approximate powers, so that a value does not depend on the machine.
@@ -137,15 +146,15 @@ std::vector<std::string> ColorConfig::views(const std::string& display) const {
 }
 
 void convert(Image& image, const std::string& from, const std::string& to, const ColorConfig& config) {
-    check_space(from, config.state());
-    check_space(to, config.state());
+    check_space(from, config);
+    check_space(to, config);
     apply_processor(image, config, [&] { return config.state().config->getProcessor(from.c_str(), to.c_str()); });
 }
 
 void apply_view(Image& image, const std::string& from, const std::string& display, const std::string& view,
                 const ColorConfig& config) {
     const ocio::Config& c = *config.state().config;
-    check_space(from, config.state());
+    check_space(from, config);
     const std::string d = choose("display", display, c.getDefaultDisplay(), config.displays(), config);
     const std::string v = choose("view", view, c.getDefaultView(d.c_str(), from.c_str()), config.views(d), config);
     apply_processor(image, config,

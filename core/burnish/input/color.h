@@ -36,7 +36,7 @@ private:
 };
 
 /// Converts the first three channels in place. Names are colour spaces, aliases or roles ("scene_linear"), in any case.
-/// Throws Error(color_space) that lists near names for an unknown one.
+/// Throws Error(color_space) that names the nearest for an unknown one.
 void convert(Image& image, const std::string& from, const std::string& to, const ColorConfig& config);
 
 /// From scene-referred light in space `from` to display code values; they are not clamped. An empty display or view is the
