@@ -3,6 +3,7 @@
 
 #include <openexr.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -107,53 +108,23 @@ double size_of(const std::string& file) {
     return static_cast<double>(bytes);
 }
 
-std::string first_bytes(const std::string& file, size_t count) {
+bool has_exr_magic(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuse(file, "cannot be opened; check its permissions");
-    std::string bytes(count, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(count));
-    bytes.resize(static_cast<size_t>(stream.gcount()));
-    return bytes;
+    std::array<char, 4> start{};
+    stream.read(start.data(), start.size());
+    return stream && start == std::array<char, 4>{0x76, 0x2f, 0x31, 0x01};
 }
-
-constexpr char kExrMagic[] = "\x76\x2f\x31\x01";
 
 }  // namespace
 
 void check_exr_header(const std::string& file) {
     const double bytes = size_of(file);
-    if (!first_bytes(file, 4).starts_with(kExrMagic)) refuse(file, "is not an OpenEXR file; frames are read from .exr");
+    if (!has_exr_magic(file)) refuse(file, "is not an OpenEXR file; frames are read from .exr");
     const Header header = open_header(file);
     int parts = 0;
     exr_get_count(header.get(), &parts);
     for (int part = 0; part < parts; ++part) check_part(file, header.get(), part, bytes);
-}
-
-void check_radiance_header(const std::string& file) {
-    const double bytes = size_of(file);
-    std::ifstream stream(file, std::ios::binary);
-    std::string line;
-    // Attribute lines, an empty line, then "-Y height +X width" (either axis may come first).
-    for (int lines = 0; lines < 1000 && std::getline(stream, line) && !line.empty(); ++lines) {
-    }
-    char first = 0, second = 0, first_sign = 0, second_sign = 0;
-    long long rows = 0, columns = 0;
-    if (!std::getline(stream, line) ||
-        std::sscanf(line.c_str(), "%c%c %lld %c%c %lld", &first_sign, &first, &rows, &second_sign, &second, &columns) != 6)
-        refuse(file, "the Radiance header has no resolution line; write the file again");
-    // A run of 127 equal values takes two bytes in each of four planes: at most 16 pixels a byte.
-    constexpr double kPixelsPerByte = 16;
-    if (rows <= 0 || columns <= 0 || rows > kLargestSide || columns > kLargestSide || rows * columns > kMostPixels ||
-        static_cast<double>(rows) * static_cast<double>(columns) > kPixelsPerByte * bytes)
-        refuse(file, "the Radiance header claims " + std::to_string(columns) + "x" + std::to_string(rows) +
-                         " pixels, which its " + std::to_string(static_cast<long long>(bytes)) + " bytes cannot hold");
-}
-
-void check_image_header(const std::string& file) {
-    size_of(file);
-    const std::string start = first_bytes(file, 4);
-    if (start.starts_with(kExrMagic)) return check_exr_header(file);
-    if (start.starts_with("#?")) return check_radiance_header(file);
 }
 
 }  // namespace burnish

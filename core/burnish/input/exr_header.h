@@ -13,10 +13,4 @@ inline constexpr int kMostChannels = 1024;           // per part, OpenImageIO's 
 /// when it is deep, subsampled or of unknown compression, and when it claims more pixels than a file of its bytes can hold.
 void check_exr_header(const std::string& file);
 
-/// The same gate for Radiance pictures (.hdr): OpenImageIO allocates whatever their resolution line says.
-void check_radiance_header(const std::string& file);
-
-/// check_exr_header or check_radiance_header by the file's first bytes; other formats only need to be there.
-void check_image_header(const std::string& file);
-
 }  // namespace burnish
