@@ -1,4 +1,4 @@
-#include "light_helpers.h"
+#include "light_pictures.h"
 
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>

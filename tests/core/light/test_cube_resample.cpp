@@ -1,4 +1,4 @@
-#include "light_helpers.h"
+#include "light_pictures.h"
 
 #include <burnish/light/cube_resample.h>
 #include <burnish/light/latlong.h>

@@ -1,7 +1,7 @@
 // Layouts, scrubbing, settings and untrusted files.
 #include "core/data.h"
 #include "core/scratch.h"
-#include "light_helpers.h"
+#include "light_pictures.h"
 
 #include <burnish/base/error.h>
 #include <burnish/light/environment.h>
@@ -23,7 +23,7 @@ constexpr int kSize = 16;
 /// Radiance that tells directions apart.
 Color3f compass(const Vec3f& d) { return {1.5f + d.x, 1.5f + d.y, 1.5f + d.z}; }
 
-/// Faces as `columns` x `rows` of a picture; a negative face index is turned by 180 degrees, -100 is empty.
+/// Faces laid out as rows of face indices, -1 where there is none; `turned_face` stands on its head.
 Image arranged(const std::array<Image, 6>& faces, const std::vector<std::vector<int>>& cells, int turned_face = -1) {
     Image image(static_cast<int>(cells[0].size()) * kSize, static_cast<int>(cells.size()) * kSize, 3);
     for (int y = 0; y < image.height; ++y) {

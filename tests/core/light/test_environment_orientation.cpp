@@ -1,6 +1,6 @@
 // Which way is which: the identities of the lat-long conventions, and real files that show the same light twice.
 #include "core/data.h"
-#include "light_helpers.h"
+#include "light_pictures.h"
 
 #include <burnish/light/environment.h>
 #include <burnish/light/latlong.h>

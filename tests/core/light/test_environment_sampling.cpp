@@ -1,5 +1,5 @@
 #include "core/data.h"
-#include "light_helpers.h"
+#include "light_pictures.h"
 
 #include <burnish/light/environment.h>
 
