@@ -16,11 +16,12 @@ enum class EnvironmentConvention { automatic, blender, openexr };
 enum class UpAxis { automatic, y, z };
 
 struct EnvironmentSettings {
-    EnvironmentConvention convention = EnvironmentConvention::automatic;  // automatic: openexr for Y up or a file with an envmap attribute, else blender
-    UpAxis up = UpAxis::automatic;  // up axis of the render's world; automatic counts as y
-    float rotate_deg = 0.0f;        // turns the lookup direction about the up axis, as Blender's mapping node does
-    bool flip = false;              // mirrors left and right
-    float scale = 1.0f;             // multiplies radiance
+    EnvironmentConvention convention =
+        EnvironmentConvention::automatic;  // openexr for Y up or an envmap attribute, else blender
+    UpAxis up = UpAxis::automatic;         // up axis of the render's world; automatic counts as y
+    float rotate_deg = 0.0f;               // turns the lookup direction about the up axis, as Blender's mapping node does
+    bool flip = false;                     // mirrors left and right
+    float scale = 1.0f;                    // multiplies radiance
     Color3f tint{1, 1, 1};
     int face_size = 0;  // texels per cube face edge; 0 = from the file
     PyramidKernel kernel = PyramidKernel::binomial6;
