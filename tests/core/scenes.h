@@ -4,8 +4,10 @@
 #include <burnish/input/assign.h>
 #include <burnish/input/frame.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <vector>
 

@@ -23,13 +23,13 @@ std::string shown(const json& value) {
     return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
-std::string shown(Range range) {
+std::string shown(NumberRange range) {
     std::ostringstream text;
     text << range.min << " to " << range.max;
     return text.str();
 }
 
-bool holds(Range range, const json& value) {
+bool holds(NumberRange range, const json& value) {
     return value.is_number() && value.get<double>() >= range.min && value.get<double>() <= range.max;
 }
 
@@ -75,13 +75,13 @@ const json& JsonFields::at(std::string_view key) const {
     return *found;
 }
 
-float JsonFields::number(std::string_view key, Range range) const {
+float JsonFields::number(std::string_view key, NumberRange range) const {
     const json& value = at(key);
     if (!holds(range, value)) fail_expected(path(key), "a number from " + shown(range), value);
     return value.get<float>();
 }
 
-Color3f JsonFields::color(std::string_view key, Range range) const {
+Color3f JsonFields::color(std::string_view key, NumberRange range) const {
     const json& value = at(key);
     if (holds(range, value)) return Color3f(value.get<float>());
     const bool three = value.is_array() && value.size() == 3;

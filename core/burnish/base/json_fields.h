@@ -13,7 +13,7 @@
 namespace burnish {
 
 /// Numbers a field may hold, ends included.
-struct Range {
+struct NumberRange {
     double min, max;
 };
 
@@ -31,11 +31,13 @@ public:
 
     /// The field as it is; throws when it is absent.
     const nlohmann::json& at(std::string_view key) const;
-    float number(std::string_view key, Range range) const;
-    float number(std::string_view key, Range range, float fallback) const { return has(key) ? number(key, range) : fallback; }
+    float number(std::string_view key, NumberRange range) const;
+    float number(std::string_view key, NumberRange range, float fallback) const {
+        return has(key) ? number(key, range) : fallback;
+    }
     /// A list of three numbers, or one number for all three.
-    Color3f color(std::string_view key, Range range) const;
-    Color3f color(std::string_view key, Range range, const Color3f& fallback) const {
+    Color3f color(std::string_view key, NumberRange range) const;
+    Color3f color(std::string_view key, NumberRange range, const Color3f& fallback) const {
         return has(key) ? color(key, range) : fallback;
     }
     /// A text out of `known`.

@@ -139,9 +139,10 @@ std::optional<Camera> validated(const CameraHeader& header, const std::vector<Si
     return make_camera(*pose, seen.x, seen.y);
 }
 
-Camera trusted(const CameraHeader& header, double aspect, std::string& note) {
+/// The likeliest reading; `reason` says why it cannot be checked.
+Camera trusted(const CameraHeader& header, double aspect, const std::string& reason, std::string& note) {
     const Pose pose = readings(header).front();
-    note = std::string("camera from the header, read as ") + pose.reading + " and not checked: there is no position layer";
+    note = std::string("camera from the header, read as ") + pose.reading + " and not checked: " + reason;
     if (header.fov_x_deg) {
         const double half = std::tan(*header.fov_x_deg * std::numbers::pi / 360);
         return make_camera(pose, {half, 0, 0}, {half / aspect, 0, 0});
@@ -179,10 +180,10 @@ std::optional<Camera> header_camera(const CameraHeader& header, const Image* pos
     if (!header.matrix) return std::nullopt;
     if (!is_rigid(M44d(*header.matrix)))
         return note = "the header's camera matrix is not a rotation and translation and is not used", std::nullopt;
-    if (!position) return trusted(header, static_cast<double>(pixel_aspect) * display.width / display.height, note);
+    const double aspect = static_cast<double>(pixel_aspect) * display.width / display.height;
+    if (!position) return trusted(header, aspect, "there is no position layer", note);
     const std::vector<Sighting> sightings = sample_sightings(*position, valid, data, display, kSightings);
-    if (sightings.size() < kFewest)
-        return note = "the header's camera cannot be checked: too few pixels see a surface", std::nullopt;
+    if (sightings.size() < kFewest) return trusted(header, aspect, "too few pixels see a surface", note);
     return validated(header, sightings, display, note);
 }
 

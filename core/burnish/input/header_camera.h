@@ -29,7 +29,8 @@ CameraHeader camera_header(const Metadata& metadata);
 ///
 /// position      the frame's position layer or null. With it, a reading of the matrix is taken when it sends the median
 ///               pixel to within half a pixel of its place; the layer then also gives the angle of view and the lens shift.
-///               Without it, the most likely reading is taken on trust, and the note says so.
+///               Without it, or with fewer than 50 pixels to check, the likeliest reading is taken
+///               on trust, and the note says so ("not checked").
 /// valid         1 channel, > 0 where position holds; may be null
 /// pixel_aspect  width over height of a pixel
 /// note          what was found, or why the header's camera was not taken; empty when the header has none

@@ -9,17 +9,19 @@
 
 namespace burnish {
 
-/// How the picture is laid over directions. `blender`: latlong, +X in the middle, Z up. `openexr`: latlong, +Z in the
-/// middle, Y up (USD, Mitsuba, three.js with rotation 90). See docs: pipeline conventions 4.
+/// How the picture is laid over directions. `blender`: lat-long, +X in the middle, Z up. `openexr`: lat-long, +Z in the
+/// middle, Y up (USD, Mitsuba). With the other up axis each keeps its look: see environment_orientation.h. For cubes the
+/// convention says whose axes the faces are named after: `blender` a Z-up world's, `openexr` a Y-up world's.
 enum class EnvironmentConvention { automatic, blender, openexr };
 enum class UpAxis { automatic, y, z };
 
 struct EnvironmentSettings {
-    EnvironmentConvention convention = EnvironmentConvention::automatic;  // automatic: openexr for Y up, blender for Z up
-    UpAxis up = UpAxis::automatic;  // up axis of the render's world; automatic counts as y
-    float rotate_deg = 0.0f;        // turns the lookup direction about the up axis, as Blender's mapping node does
-    bool flip = false;              // mirrors left and right
-    float scale = 1.0f;             // multiplies radiance
+    EnvironmentConvention convention =
+        EnvironmentConvention::automatic;  // openexr for Y up or an envmap attribute, else blender
+    UpAxis up = UpAxis::automatic;         // up axis of the render's world; automatic counts as y
+    float rotate_deg = 0.0f;               // turns the lookup direction about the up axis, as Blender's mapping node does
+    bool flip = false;                     // mirrors left and right
+    float scale = 1.0f;                    // multiplies radiance
     Color3f tint{1, 1, 1};
     int face_size = 0;  // texels per cube face edge; 0 = from the file
     PyramidKernel kernel = PyramidKernel::binomial6;
@@ -27,10 +29,11 @@ struct EnvironmentSettings {
 
 class Environment {
 public:
-    /// Reads a lat-long (.hdr, .exr, .tx), a cube EXR (`envmap` attribute, vertical or horizontal strip, cross) or, when
-    /// `file` has a `%s` or `{face}` in its name, six files px nx py ny pz nz. Throws Error(read_failed).
+    /// Reads a lat-long (.hdr, .exr, .tx), a cube in one picture (envmap attribute, strip, two rows or cross, see
+    /// environment_layouts.h) or, when `file` has a `%s` or `{face}` in its name, six files px nx py ny pz nz (also posx,
+    /// +X, +x ...). Throws Error(read_failed | bad_argument).
     static Environment load(const std::string& file, const EnvironmentSettings& settings);
-    /// From pixels in memory: lat-long (W = 2H) or one of the cube layouts, RGB.
+    /// From pixels in memory: lat-long (W = 2H) or one of the cube layouts, RGB or grey.
     static Environment from_image(const Image& image, const EnvironmentSettings& settings, const std::string& name);
 
     /// Unfiltered radiance from unit direction d in light axes: bilinear in the picture as given; scale and tint apart.
@@ -46,6 +49,8 @@ public:
     const Matrix33f& world_to_light() const { return m_world_to_light; }
     /// scale * tint, to be multiplied into the overlay once.
     const Color3f& gain() const { return m_gain; }
+    /// Texels per cube face edge that keep the picture's own resolution: the default of EnvironmentSettings::face_size.
+    int suggested_face_size() const { return m_suggested_face_size; }
     /// What was found and what was scrubbed (NaN, infinite and negative texels), one line each.
     const std::vector<std::string>& notes() const { return m_notes; }
     const std::vector<std::string>& warnings() const { return m_warnings; }
@@ -57,6 +62,7 @@ private:
     CubePyramid m_pyramid;
     Matrix33f m_world_to_light;
     Color3f m_gain{1, 1, 1};
+    int m_suggested_face_size = 0;
     std::vector<std::string> m_notes, m_warnings;
 };
 

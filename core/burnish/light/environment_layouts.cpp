@@ -83,6 +83,20 @@ std::array<Image, 6> cut_faces(const Image& picture, EnvironmentLayout layout) {
     return faces;
 }
 
+Image horizontal_cross(const std::array<Image, 6>& faces) {
+    const Grid& grid = *grid_of(EnvironmentLayout::horizontal_cross);
+    const int n = faces[0].width;
+    Image cross(grid.columns * n, grid.rows * n, faces[0].channels);
+    for (int face = 0; face < 6; ++face) {
+        const Cell& cell = grid.cells[face];
+        for (int y = 0; y < n; ++y) {
+            const float* row = faces[face].at(0, y);
+            std::copy_n(row, static_cast<size_t>(n) * faces[face].channels, cross.at(cell.column * n, cell.row * n + y));
+        }
+    }
+    return cross;
+}
+
 std::array<Image, 6> from_z_up_names(std::array<Image, 6> faces) {
     auto& [px, nx, py, ny, pz, nz] = faces;
     return {std::move(px), std::move(nx), std::move(pz), std::move(nz), std::move(ny), std::move(py)};

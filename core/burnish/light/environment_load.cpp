@@ -55,9 +55,9 @@ void warn(const Scrubbed& count, const std::string& name, std::vector<std::strin
     const auto add = [&](size_t n, const char* what) {
         if (n > 0) warnings.push_back(name + ": " + std::to_string(n) + " " + what);
     };
-    add(count.not_a_number, "values are not a number, set to 0");
-    add(count.infinite, "values are infinite, set to the largest finite value of the picture");
-    add(count.negative, "values are negative, set to 0");
+    add(count.not_a_number, "NaN values set to 0");
+    add(count.infinite, "infinite values set to the largest finite value of the picture");
+    add(count.negative, "negative values set to 0");
 }
 
 /// First three channels, or the first one three times.
@@ -150,9 +150,12 @@ EnvironmentConvention resolved(EnvironmentConvention convention, UpAxis up, Envm
     return tag != EnvmapTag::none || up == UpAxis::y ? EnvironmentConvention::openexr : EnvironmentConvention::blender;
 }
 
+int own_face_size(const Given& given) {
+    return given.faces ? cube_size_for_cube((*given.faces)[0].width) : cube_size_for_latlong(given.latlong.width);
+}
+
 std::array<Image, 6> pyramid_faces(const Given& given, int face_size) {
-    if (given.faces) return resized_cube(*given.faces, face_size > 0 ? face_size : cube_size_for_cube((*given.faces)[0].width));
-    return latlong_to_cube(given.latlong, face_size > 0 ? face_size : cube_size_for_latlong(given.latlong.width));
+    return given.faces ? resized_cube(*given.faces, face_size) : latlong_to_cube(given.latlong, face_size);
 }
 
 }  // namespace
@@ -166,11 +169,12 @@ struct Environment::Builder {
             given.faces = from_z_up_names(std::move(*given.faces));
 
         Environment light;
-        light.m_pyramid = CubePyramid(pyramid_faces(given, settings.face_size), settings.kernel);
+        light.m_suggested_face_size = own_face_size(given);
+        const int face = settings.face_size > 0 ? settings.face_size : light.m_suggested_face_size;
+        light.m_pyramid = CubePyramid(pyramid_faces(given, face), settings.kernel);
         light.m_world_to_light =
             world_to_light_matrix(convention, up, settings.rotate_deg, settings.flip, given.faces.has_value());
         light.m_gain = settings.tint * settings.scale;
-        const int face = light.m_pyramid.face_size();
         light.m_notes.push_back(name + ": " + given.description + ", " +
                                 (convention == EnvironmentConvention::blender ? "blender" : "openexr") + " convention, " +
                                 (up == UpAxis::z ? "Z" : "Y") + " up, filtered on a cube of " + size_text(face, face));

@@ -21,7 +21,9 @@ constexpr int64_t kSmallPicture = int64_t{64} << 20;  // bytes; below this any c
 constexpr int64_t kMaxCompression = 4096;             // zip reaches about 1000
 constexpr int64_t kHdrPixelsPerByte = 16;             // run lengths of 127 in each of four planes: 8 bytes for 127 pixels
 
-[[noreturn]] void refuse(const std::string& file, const std::string& problem) {
+/// Messages are one line, OpenImageIO's may be several.
+[[noreturn]] void refuse(const std::string& file, std::string problem) {
+    std::replace(problem.begin(), problem.end(), '\n', ' ');
     throw Error(ErrorCode::read_failed, file + ": " + problem);
 }
 

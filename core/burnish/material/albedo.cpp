@@ -28,16 +28,16 @@ bool turns_with_azimuth(const Material& material) {
 Color3f directional_albedo(const LobeParameters& lobe, const Vec3f& wo, int samples) {
     const float c = std::cos(lobe.rotation), s = std::sin(lobe.rotation);
     const Vec3f wo_lobe(c * wo.x + s * wo.y, c * wo.y - s * wo.x, wo.z);
-    const Color3f sum = visit_lobe(lobe, [&](const auto& f) {
-        Color3f total(0);
+    const Imath::V3d sum = visit_lobe(lobe, [&](const auto& f) {
+        Imath::V3d total(0);
         for (int i = 0; i < samples; ++i) {
             const Vec3f wi = f.sample(wo_lobe, hammersley(static_cast<uint32_t>(i), static_cast<uint32_t>(samples)));
             const float pdf = f.pdf(wo_lobe, wi);
-            if (pdf > 0) total += f.eval(wo_lobe, wi) * (std::abs(wi.z) / pdf);
+            if (pdf > 0) total += Imath::V3d(f.eval(wo_lobe, wi) * (std::abs(wi.z) / pdf));
         }
         return total;
     });
-    return lobe.tint * sum * (lobe.strength / static_cast<float>(samples));
+    return lobe.tint * Color3f(Vec3f(sum / samples)) * lobe.strength;
 }
 
 EnergyCheck check_energy(const Material& material) {

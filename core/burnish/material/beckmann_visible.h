@@ -16,7 +16,7 @@ namespace burnish {
 
 inline constexpr float kInvSqrtPi = std::numbers::inv_sqrtpi_v<float>;
 
-/// x with erf(x) = y, |y| < 1, to 4e-7 relative. Source: Giles 2010, "Approximating the erfinv function", table 5.
+/// x with erf(x) = y, |y| < 1, to 4e-7 relative. Source: Giles 2010, "Approximating the erfinv function" (single precision).
 inline float inverse_erf(float y) {
     const float w = -std::log((1 - y) * (1 + y));
     if (w < 5) {

@@ -9,7 +9,7 @@ namespace burnish {
 
 enum class FresnelKind { none, schlick, dielectric, conductor };
 
-/// F = r0 + (1 - r0) (1 - c)^5, c = wo . wm. Source: Schlick 1994, eq. 15.
+/// F = r0 + (1 - r0) (1 - c)^5, c = wo . wm. Source: Schlick 1994.
 inline Color3f schlick_fresnel(const Color3f& r0, float c) {
     const float m = 1 - c, m2 = m * m, w = m2 * m2 * m;
     return r0 + (Color3f(1) - r0) * w;

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 using Names = std::vector<std::string_view>;
 
-constexpr Range kStrength{0, 1000}, kReflectivity{0, 1}, kWidth{kMinWidth, 1}, kIndex{0, 100};
+constexpr NumberRange kStrength{0, 1000}, kReflectivity{0, 1}, kWidth{kMinWidth, 1}, kIndex{0, 100};
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<std::string_view, 4> kFresnelKeys{"r0", "ior", "eta", "metal"};
 constexpr std::array<std::string_view, 3> kWidthKeys{"m", "mx", "roughness"};

@@ -33,7 +33,7 @@ inline Vec3f reflect(const Vec3f& wo, const Vec3f& wm) { return wm * (2 * wo.dot
 ///
 ///     D(wm) = exp(-(x^2 / mx^2 + y^2 / my^2) / z^2) / (pi mx my z^4),  wm = (x, y, z)
 ///
-/// Source: Beckmann & Spizzichino 1963; anisotropic as in Ward 1992; normalised, integral of D cos = 1 (Kurt 2010, eq. 4).
+/// Source: Beckmann & Spizzichino 1963; anisotropic as in Ward 1992; normalised, integral of D cos = 1 (Kurt 2010; Regular, eq. 4).
 struct BeckmannDistribution {
     BeckmannDistribution(float mx, float my) : m_mx(std::max(mx, kMinWidth)), m_my(std::max(my, kMinWidth)) {
         m_inv_mx2 = 1 / (m_mx * m_mx);
@@ -49,7 +49,7 @@ struct BeckmannDistribution {
         return e < kFarTail ? m_peak * std::exp(-e) * inv_z2 * inv_z2 : 0.0f;
     }
 
-    /// Draws wm with density D cos: tan^2 = -ln(1 - u.x) along the stretched angle 2 pi u.y (Ward 1992; Kurt 2010, eq. 12-13).
+    /// Draws wm with density D cos: tan^2 = -ln(1 - u.x) along the stretched angle 2 pi u.y (Ward 1992; Regular, eq. 6-7).
     Vec3f sample(const Vec2f& u) const {
         const float r = std::sqrt(-std::log(1 - std::min(u.x, kBelowOne))), phi = 2 * kPi * u.y;
         const float x = m_mx * r * std::cos(phi), y = m_my * r * std::sin(phi);
@@ -60,8 +60,8 @@ struct BeckmannDistribution {
     /// Width along w's azimuth times its sine: |(mx x, my y)|.
     float projected_width(const Vec3f& w) const { return std::sqrt(m_mx * m_mx * w.x * w.x + m_my * m_my * w.y * w.y); }
 
-    /// tan(theta) / m at which D cos^4 has fallen to xi0 of its peak.
-    float border(float xi0) const { return std::sqrt(-std::log(xi0)); }
+    /// tan(theta) / m beyond which the share xi of the slopes lies: exp(-r^2) = xi; also where D cos^4 has fallen to xi.
+    float border(float xi) const { return std::sqrt(-std::log(xi)); }
 
     float mx() const { return m_mx; }
     float my() const { return m_my; }

@@ -28,8 +28,9 @@ struct ModelInfo {
 
 /// What kernels ask of a lobe. `eval` is the BRDF f in 1/sr with Fresnel; `pdf` is the density of `sample` in solid angle
 /// of wi; both take unit vectors and return 0 where wo or wi is not above the surface. `sample` may return a direction
-/// below the surface, which contributes nothing. `D` is the microfacet density of wm in 1/sr; `border(xi)` the
-/// normalised slope tan(theta)/m beyond which the share xi of the slope distribution lies: sqrt(-ln xi) for Beckmann. `with_widths` is the same lobe at another roughness.
+/// below the surface, which contributes nothing. `D` is the microfacet density of wm in 1/sr; `border(xi)` the normalised
+/// slope tan(theta)/m beyond which the share xi of the slope distribution lies: sqrt(-ln xi) for Beckmann. `with_widths` is
+/// the same lobe at another roughness.
 template <class M>
 concept LobeModel = requires(const M m, const LobeParameters p, Vec3f w, Vec2f u, float x) {
     { M::info() } -> std::same_as<ModelInfo>;

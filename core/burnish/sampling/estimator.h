@@ -22,7 +22,7 @@ struct EstimatorSettings {
     float level_bias = -0.5f;                // MIP levels added to the footprint rule
     bool albedo_correction = true;           // tabulated true / estimated albedo, the cure for grazing angles
     float tolerance = 0.005f;                // reference: stop at this standard error, relative to the pixel's mean
-    int max_samples = 4096;                  // reference: sample cap per pixel
+    int max_samples = 16384;                 // reference: sample cap per pixel
 };
 
 }  // namespace burnish

@@ -21,14 +21,16 @@ inline uint32_t reverse_bits(uint32_t x) {
 /// The fraction x / 2^32, rounded down to a float below 1.
 inline float unit_fraction(uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
 
-/// A hash of 32 bits onto 32 bits, one to one, every input bit turning every output bit with a chance near 1/2.
-/// Source: Wellons 2018, "Prospecting for hash functions" (lowbias32).
+/// A hash of 32 bits onto 32 bits, one to one; hashes of neighbouring integers are independent to the last bit, which the
+/// cheaper two-round hashes miss and Owen scrambling shows. Source: Wellons 2018, "Prospecting for hash functions" (triple32).
 inline uint32_t hash_bits(uint32_t x) {
-    x ^= x >> 16;
-    x *= 0x7feb352du;
+    x ^= x >> 17;
+    x *= 0xed5ad4bbu;
+    x ^= x >> 11;
+    x *= 0xac4c1b51u;
     x ^= x >> 15;
-    x *= 0x846ca68bu;
-    return x ^ (x >> 16);
+    x *= 0x31848babu;
+    return x ^ (x >> 14);
 }
 
 /// A seed from two numbers, e.g. pixel and lobe.
@@ -54,7 +56,7 @@ inline uint32_t sobol_pascal(uint32_t i) {
 }
 
 /// Owen's nested scrambling of bits given lowest first: each bit is flipped by a hash of the seed and the bits below it.
-/// Source: Laine & Karras 2011, 3.2, and Burley 2020, 2.4; constants by Vegdahl 2021.
+/// Source: Laine & Karras 2011 and Burley 2020; constants by Vegdahl 2021.
 inline uint32_t owen_scramble_reversed(uint32_t x, uint32_t seed) {
     x ^= x * 0x3d20adeau;
     x += seed;

@@ -1,5 +1,4 @@
 #include <burnish/scene/demo_scene.h>
-#include <burnish/scene/gbuffer.h>
 #include <burnish/scene/procedural_sky.h>
 
 #include <algorithm>
@@ -59,7 +58,7 @@ private:
 Scene make_demo_scene() {
     Builder b;
     b.add("ground", "", ProceduralSky::ground_albedo(), 1.0f, make_plane(80, 80));
-    b.add("car_body", "car-paint", {0.30f, 0.012f, 0.02f}, 0.3f,
+    b.add("car_body", "car-paint", {0.13f, 0.006f, 0.008f}, 0.3f,
           placed(make_sphere(0.85f, 384), {{-0.72f, 0.75f, 0.66f}, 12, 0, {1.3f, 1.05f, 0.78f}}));
     b.add("ball_chrome", "chrome", {0.03f, 0.03f, 0.03f}, 0.1f, placed(make_sphere(0.40f, 256), {{-1.62f, -0.85f, 0.40f}}));
     b.add("knot_gold", "gold", {0.06f, 0.04f, 0.012f}, 0.3f,
@@ -73,11 +72,11 @@ Scene make_demo_scene() {
           placed(make_sphere(0.20f, 192), {{2.02f, -0.95f, 0.20f}}));
     b.add("ring_rubber", "rubber", {0.03f, 0.10f, 0.08f}, 0.7f,
           placed(make_torus_knot(1, 0, 0.19f, 0.075f, 256, 64), {{0.42f, -1.55f, 0.075f}}));
-    b.add("pane_glass", "frosted-glass", {0.10f, 0.13f, 0.13f}, 0.5f,
+    b.add("pane_glass", "frosted-glass", {0.03f, 0.06f, 0.06f}, 0.5f,
           placed(make_box({0.42f, 0.02f, 0.80f}, 0.012f, 4), {{-2.05f, 1.0f, 0.80f}, 24}));
     return b.take();
 }
 
-Camera demo_camera(float aspect) { return look_at({0, -7.2f, 1.45f}, {0.05f, 0, 0.72f}, {0, 0, 1}, 38, aspect); }
+Viewpoint demo_viewpoint() { return {{0, -7.2f, 1.45f}, {0.05f, 0, 0.72f}, {0, 0, 1}, 38}; }
 
 }  // namespace burnish

@@ -1,7 +1,6 @@
 // The scene of `burnish demo`: a table of objects under an open sky, each made of something that shines differently.
 #pragma once
 
-#include <burnish/input/camera.h>
 #include <burnish/scene/scene.h>
 
 namespace burnish {
@@ -10,6 +9,11 @@ namespace burnish {
 /// material share its index.
 Scene make_demo_scene();
 
-Camera demo_camera(float aspect);
+/// Where the picture is taken from.
+struct Viewpoint {
+    Vec3f position, look_at, up;
+    float fov_x_deg;  // whole angle across
+};
+Viewpoint demo_viewpoint();
 
 }  // namespace burnish

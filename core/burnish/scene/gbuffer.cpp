@@ -45,17 +45,6 @@ struct Layers {
 
 }  // namespace
 
-Camera look_at(const Vec3f& eye, const Vec3f& target, const Vec3f& up, float fov_x_deg, float aspect) {
-    Camera camera;
-    camera.centre = eye;
-    camera.axis = (target - eye).normalized();
-    const float half_width = std::tan(fov_x_deg * kPi / 360);
-    camera.right = camera.axis.cross(up).normalized() * half_width;
-    camera.up = camera.right.cross(camera.axis) / aspect;
-    camera.has_rays = true;
-    return camera;
-}
-
 AovFrame trace_gbuffer(const Tracer& tracer, const Camera& camera, int width, int height, const Progress& progress) {
     AovFrame frame;
     frame.data_window = frame.display_window = {0, 0, width, height};

@@ -10,9 +10,6 @@ namespace burnish {
 /// Planar depth of pixels that see nothing, as Cycles writes it.
 inline constexpr float kMissDepth = 1e10f;
 
-/// A pinhole camera at `eye` that looks at `target`, `up` pointing up in the picture; `fov_x_deg` is the whole angle across.
-Camera look_at(const Vec3f& eye, const Vec3f& target, const Vec3f& up, float fov_x_deg, float aspect);
-
 /// Raster positions are in pixels, x right, y down, pixel centres at + 0.5; screen points are Camera's, [-1, 1]^2, y up.
 inline Vec2f screen_point(const Vec2f& raster, int width, int height) {
     return {2 * raster.x / static_cast<float>(width) - 1, 1 - 2 * raster.y / static_cast<float>(height)};

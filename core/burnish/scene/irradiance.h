@@ -41,12 +41,16 @@ public:
     Irradiance gather(const Hit& hit, int first, int count) const;
 
 private:
+    struct Bounce {
+        Vec3f wi;        // cosine-distributed, local frame
+        uint32_t light;  // the sample of the sky that lights what it meets
+    };
     Color3f from_sky(const Vec3f& origin, const Vec3f& n, const LightSample& sample) const;
-    Color3f bounced(const Vec3f& origin, const Vec3f& wi, size_t index) const;
+    Color3f bounced(const Vec3f& origin, const Frame& frame, const Bounce& bounce) const;
 
     const Tracer& m_tracer;
     const DistantLight& m_light;
-    std::vector<Vec3f> m_bounces;  // cosine-distributed, local frame
+    std::vector<Bounce> m_bounces;
 };
 
 }  // namespace burnish

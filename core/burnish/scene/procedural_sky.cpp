@@ -7,8 +7,8 @@ namespace burnish {
 namespace {
 
 constexpr float kSunRadius = 0.75f * kPi / 180;
-constexpr Color3f kSun{5200.0f, 4750.0f, 4000.0f}, kZenith{0.10f, 0.20f, 0.44f}, kHorizon{0.78f, 0.86f, 0.98f};
-constexpr Color3f kGlow{1.0f, 0.80f, 0.55f}, kHills{0.13f, 0.17f, 0.20f};
+constexpr Color3f kSun{5600.0f, 4700.0f, 3500.0f}, kZenith{0.12f, 0.20f, 0.38f}, kHorizon{0.90f, 0.83f, 0.74f};
+constexpr Color3f kGlow{1.0f, 0.80f, 0.55f}, kHills{0.07f, 0.12f, 0.19f};
 
 float smooth_step(float edge0, float edge1, float x) {
     const float t = std::clamp((x - edge0) / (edge1 - edge0), 0.0f, 1.0f);
@@ -44,7 +44,7 @@ Color3f sun(const Vec3f& d) {
 
 }  // namespace
 
-Vec3f ProceduralSky::sun_direction() { return direction(-118, 40); }
+Vec3f ProceduralSky::sun_direction() { return direction(-118, 34); }
 
 ProceduralSky::ProceduralSky() {
     m_boxes = {{direction(142, 34), {0.30f, 0.22f}, {5.0f, 4.8f, 4.5f}},
@@ -62,18 +62,19 @@ ProceduralSky::ProceduralSky() {
 
 /// What stands above the horizon but for the disc of the sun.
 Color3f ProceduralSky::without_sun(const Vec3f& d) const {
-    Color3f sky = mix(kZenith, kHorizon, std::exp(-4.5f * std::max(d.z, 0.0f)));
+    Color3f sky = mix(kZenith, kHorizon, std::exp(-8.0f * std::max(d.z, 0.0f)));
     const float near_sun = std::max(d.dot(sun_direction()), 0.0f);
     sky += kGlow * (0.25f * std::pow(near_sun, 5.0f) + 1.2f * std::pow(near_sun, 60.0f));
-    sky = mix(mix(kHills, kHorizon, 0.35f), sky, smooth_step(-0.002f, 0.002f, d.z - hill_edge(d)));
+    sky = mix(mix(kHills, kHorizon, 0.30f), sky, smooth_step(-0.002f, 0.002f, d.z - hill_edge(d)));
     for (const SoftBox& box : m_boxes) sky = mix(sky, box.radiance, coverage(box, d));
     return sky;
 }
 
 Color3f ProceduralSky::radiance(const Vec3f& d) const {
     if (d.z >= 0) return without_sun(d) + sun(d);
-    const Color3f ground = ground_albedo() * m_ground_irradiance / kPi;
-    return mix(ground, mix(kHills, kHorizon, 0.5f), 0.6f * std::exp(60 * d.z));
+    const float shade = 1 - 0.7f * smooth_step(0.15f, 1.0f, -d.z);
+    const Color3f ground = ground_albedo() * m_ground_irradiance * (shade / kPi);
+    return mix(ground, mix(kHills, kHorizon, 0.5f), 0.6f * std::exp(200 * d.z));
 }
 
 Image ProceduralSky::picture(int width, int samples) const {

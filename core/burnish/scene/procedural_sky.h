@@ -1,5 +1,5 @@
 // A sky by formula, for demos and tests: blue gradient, haze, hills, a small sun of high contrast, soft boxes of a studio, and
-// a ground whose radiance is the light it would really send back.
+// a ground whose radiance is the light it would really send back, darker straight below, where objects shade it.
 #pragma once
 
 #include <burnish/base/image.h>
@@ -25,7 +25,7 @@ public:
 
     /// Irradiance of level, open ground (from everything above the horizon), and the ground's albedo.
     Color3f ground_irradiance() const { return m_ground_irradiance; }
-    static Color3f ground_albedo() { return {0.20f, 0.19f, 0.175f}; }
+    static Color3f ground_albedo() { return {0.22f, 0.20f, 0.178f}; }
     static Vec3f sun_direction();
 
     /// Lat-long picture, RGB, Blender's layout (+X in the middle, Z up), height = width / 2; texels average `samples`^2 points.

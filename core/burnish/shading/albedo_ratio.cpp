@@ -29,7 +29,7 @@ AlbedoRatio::AlbedoRatio(const LobeParameters& lobe, const Estimate& estimate) {
         for (int axis = 0, rest = index; axis < kAxes; rest /= m_axes[axis].count, ++axis) node[axis] = rest % m_axes[axis].count;
         const ShadingPoint point = point_at(node);
         LobeParameters there = lobe;
-        there.mx = point.mx, there.my = point.my, there.strength = 1, there.tint = Color3f(1, 1, 1);
+        there.mx = point.mx, there.my = point.my, there.rotation = 0, there.strength = 1, there.tint = Color3f(1, 1, 1);
         const float truth = luminance(directional_albedo(there, point.wo, samples)), estimated = luminance(estimate(point));
         m_ratio[index] = estimated > 0 ? std::clamp(truth / estimated, 1 / kMaxRatio, kMaxRatio) : 1.0f;
     });

@@ -38,10 +38,11 @@ inline double hit_room(const Imath::V3d& c, const Imath::V3d& r) {
     return t;
 }
 
-enum class Scene { room_with_ball, ball_only, floor_only };
+enum class SyntheticScene { room_with_ball, ball_only, floor_only };
 
 /// Position layer of the scene; (0, 0, 0) where nothing is hit, as Cycles writes it.
-inline Image position_layer(const Camera& camera, const Window& data, const Window& display, Scene scene, double radius = 1) {
+inline Image position_layer(const Camera& camera, const Window& data, const Window& display, SyntheticScene scene,
+                            double radius = 1) {
     Image position(data.width, data.height, 3);
     const Imath::V3d c(camera.centre), axis(camera.axis), right(camera.right), up(camera.up), ball(0.3, 0.5, 1.2);
     for (int y = 0; y < data.height; ++y)
@@ -49,8 +50,8 @@ inline Image position_layer(const Camera& camera, const Window& data, const Wind
             const double sx = 2 * (data.x + x - display.x + 0.5) / display.width - 1;
             const double sy = 1 - 2 * (data.y + y - display.y + 0.5) / display.height;
             const Imath::V3d r = axis + right * sx + up * sy;
-            double t = scene == Scene::floor_only ? -c.z / r.z : hit_ball(c, r, ball, radius);
-            if (scene == Scene::room_with_ball) t = std::min(t, hit_room(c, r));
+            double t = scene == SyntheticScene::floor_only ? -c.z / r.z : hit_ball(c, r, ball, radius);
+            if (scene == SyntheticScene::room_with_ball) t = std::min(t, hit_room(c, r));
             if (!(t > 0) || !std::isfinite(t)) continue;
             for (unsigned k = 0; k < 3; ++k) position.at(x, y)[k] = static_cast<float>(c[k] + t * r[k]);
         }

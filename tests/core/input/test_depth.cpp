@@ -48,7 +48,7 @@ Render read_render(const std::string& stem) {
 }  // namespace
 
 TEST(Depth, GivesPositionsBack) {
-    const Image position = position_layer(kCamera, kData, kDisplay, Scene::ball_only);
+    const Image position = position_layer(kCamera, kData, kDisplay, SyntheticScene::ball_only);
     for (const bool ray_distance : {false, true}) {
         const Image found = position_from_depth(depth_layer(position, ray_distance), kCamera, kData, kDisplay, ray_distance);
         for (size_t i = 0; i < position.pixel_count(); ++i) {
@@ -74,7 +74,7 @@ TEST(Depth, NeedsRays) {
 }
 
 TEST(Depth, IsToldByItsPositions) {
-    const Image position = position_layer(kCamera, kData, kDisplay, Scene::room_with_ball);
+    const Image position = position_layer(kCamera, kData, kDisplay, SyntheticScene::room_with_ball);
     Image scaled = depth_layer(position, false);
     for (float& z : scaled.data) z /= 100;
     EXPECT_EQ(depth_kind(depth_layer(position, false), position, kCamera, kData, kDisplay), DepthKind::planar);

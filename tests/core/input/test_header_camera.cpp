@@ -47,7 +47,7 @@ Metadata header_of(const std::string& file) {
 }  // namespace
 
 TEST(HeaderCamera, ReadsEveryConventionWhenPositionsConfirmIt) {
-    const Image position = position_layer(kTruth, kFrame, kFrame, Scene::room_with_ball);
+    const Image position = position_layer(kTruth, kFrame, kFrame, SyntheticScene::room_with_ball);
     const std::pair<Matrix44f, bool> headers[] = {
         {camera_to_world(kTruth).inverse(), false},         // the standard
         {camera_to_world(kTruth, 1, -1).inverse(), false},  // Clarisse
@@ -65,7 +65,7 @@ TEST(HeaderCamera, ReadsEveryConventionWhenPositionsConfirmIt) {
 
 TEST(HeaderCamera, TakesLensShiftFromPositions) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, kAspect, 0.4f, -0.2f);
-    const Image position = position_layer(truth, kFrame, kFrame, Scene::room_with_ball);
+    const Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball);
     std::string note;
     expect_camera(header_camera({camera_to_world(truth).inverse(), false, {}}, &position, nullptr, kFrame, kFrame, 1, note),
                   truth, 2e-5f);
@@ -73,14 +73,14 @@ TEST(HeaderCamera, TakesLensShiftFromPositions) {
 
 TEST(HeaderCamera, SeesAPlaneThatAloneWouldNotDetermineACamera) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 0}, 0.3f, kAspect);
-    const Image position = position_layer(truth, kFrame, kFrame, Scene::floor_only);
+    const Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::floor_only);
     std::string note;
     expect_camera(header_camera({camera_to_world(truth).inverse(), false, {}}, &position, nullptr, kFrame, kFrame, 1, note),
                   truth, 2e-5f);
 }
 
 TEST(HeaderCamera, IsRefusedWhenPositionsContradictIt) {
-    const Image position = position_layer(kTruth, kFrame, kFrame, Scene::room_with_ball);
+    const Image position = position_layer(kTruth, kFrame, kFrame, SyntheticScene::room_with_ball);
     Camera moved = kTruth;
     moved.centre.x += 0.2f;
     std::string note;
@@ -96,6 +96,9 @@ TEST(HeaderCamera, IsTrustedWithAWordOfCautionWhenThereIsNoPosition) {
     const CameraHeader header{camera_to_world(kTruth).inverse(), false, kFov};
     expect_camera(header_camera(header, nullptr, nullptr, kFrame, kFrame, 1, note), kTruth, 1e-5f);
     EXPECT_NE(note.find("not checked"), std::string::npos);
+    const Image nothing(kFrame.width, kFrame.height, 3);
+    expect_camera(header_camera(header, &nothing, nullptr, kFrame, kFrame, 1, note), kTruth, 1e-5f);
+    EXPECT_NE(note.find("too few pixels"), std::string::npos);
     const auto blind = header_camera({header.matrix, false, {}}, nullptr, nullptr, kFrame, kFrame, 1, note);
     ASSERT_TRUE(blind);
     EXPECT_FALSE(blind->has_rays);

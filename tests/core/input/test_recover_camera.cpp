@@ -47,30 +47,33 @@ std::string refusal(const Image& position) {
 
 TEST(RecoverCamera, FindsTheCameraThatMadeThePositions) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    expect_same_camera(recovered(position_layer(truth, kFrame, kFrame, Scene::room_with_ball), kFrame, kFrame), truth, 2e-5f);
+    expect_same_camera(recovered(position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball), kFrame, kFrame), truth,
+                       2e-5f);
 }
 
 TEST(RecoverCamera, FindsLensShift) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f, 0.5f, -0.25f);
-    expect_same_camera(recovered(position_layer(truth, kFrame, kFrame, Scene::room_with_ball), kFrame, kFrame), truth, 2e-5f);
+    expect_same_camera(recovered(position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball), kFrame, kFrame), truth,
+                       2e-5f);
 }
 
 TEST(RecoverCamera, UsesTheDisplayWindowWhenTheDataWindowIsAnother) {
     const Window data{-20, 30, 200, 100}, display{0, 0, 320, 180};
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    expect_same_camera(recovered(position_layer(truth, data, display, Scene::room_with_ball), data, display), truth, 5e-5f);
+    expect_same_camera(recovered(position_layer(truth, data, display, SyntheticScene::room_with_ball), data, display), truth,
+                       5e-5f);
 }
 
 TEST(RecoverCamera, NeedsNoMoreThanHalfFloatPositions) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::room_with_ball);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball);
     round_to_half(position);
     expect_same_camera(recovered(position, kFrame, kFrame), truth, 1e-3f);
 }
 
 TEST(RecoverCamera, IgnoresAFifthOfWrongPixels) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::room_with_ball);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball);
     std::mt19937 random(5);
     for (size_t i = 0; i < position.pixel_count(); ++i)
         if (random() % 5 == 0)
@@ -80,7 +83,7 @@ TEST(RecoverCamera, IgnoresAFifthOfWrongPixels) {
 
 TEST(RecoverCamera, IgnoresNansAndInfinities) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::room_with_ball);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball);
     const float wrong[] = {NAN, INFINITY, -INFINITY, 1e30f, 1e10f};
     for (size_t i = 0; i < position.pixel_count(); i += 37) position.at(i)[i % 3] = wrong[i % 5];
     expect_same_camera(recovered(position, kFrame, kFrame), truth, 2e-5f);
@@ -88,7 +91,7 @@ TEST(RecoverCamera, IgnoresNansAndInfinities) {
 
 TEST(RecoverCamera, FindsTheCameraFromOneSmallObject) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    const Image position = position_layer(truth, kFrame, kFrame, Scene::ball_only, 0.4);
+    const Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::ball_only, 0.4);
     const Camera found = recovered(position, kFrame, kFrame);
     EXPECT_LT((found.centre - truth.centre).length(), 6e-3f * 6.3f);
     EXPECT_LT(largest_reprojection(found, position, kFrame, kFrame), 0.1f / 160) << "a tenth of a pixel";
@@ -96,8 +99,8 @@ TEST(RecoverCamera, FindsTheCameraFromOneSmallObject) {
 
 TEST(RecoverCamera, FindsTheCameraWhereAFloorFillsMostOfTheFrame) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0.3f, 0.5f, 0}, 0.35f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::floor_only);
-    const Image ball = position_layer(truth, kFrame, kFrame, Scene::ball_only, 0.5);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::floor_only);
+    const Image ball = position_layer(truth, kFrame, kFrame, SyntheticScene::ball_only, 0.5);
     size_t on_ball = 0;
     for (size_t i = 0; i < position.pixel_count(); ++i)
         if (ball.at(i)[2] != 0) std::copy_n(ball.at(i), 3, position.at(i)), ++on_ball;
@@ -107,7 +110,7 @@ TEST(RecoverCamera, FindsTheCameraWhereAFloorFillsMostOfTheFrame) {
 
 TEST(RecoverCamera, HeedsTheValidityMask) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::room_with_ball);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::room_with_ball);
     Image valid(kFrame.width, kFrame.height, 1, 1.0f);
     for (int y = 0; y < kFrame.height; ++y)
         for (int x = 0; x < kFrame.width * 2 / 3; ++x) *valid.at(x, y) = 0, position.at(x, y)[0] += 3;
@@ -119,7 +122,7 @@ TEST(RecoverCamera, HeedsTheValidityMask) {
 
 TEST(RecoverCamera, RefusesPointsOnOnePlane) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 0}, 0.3f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::floor_only);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::floor_only);
     EXPECT_NE(refusal(position).find("one plane"), std::string::npos);
     round_to_half(position);
     EXPECT_NE(refusal(position).find("one plane"), std::string::npos);
@@ -127,7 +130,7 @@ TEST(RecoverCamera, RefusesPointsOnOnePlane) {
 
 TEST(RecoverCamera, RefusesASlantedPlaneWhoseHeightIsOnlyRoundingNoise) {
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 0}, 0.3f, 16 / 9.0f);
-    Image position = position_layer(truth, kFrame, kFrame, Scene::floor_only);
+    Image position = position_layer(truth, kFrame, kFrame, SyntheticScene::floor_only);
     for (size_t i = 0; i < position.pixel_count(); ++i) {
         float* p = position.at(i);
         p[2] = 0.3f * p[0] - 0.7f * p[1] + 11;
@@ -199,7 +202,7 @@ TEST(RecoverCamera, RefusesPanoramas) {
 TEST(RecoverCamera, TakesLittleTimeOnALargeFrame) {
     const Window large{0, 0, 1920, 1080};
     const Camera truth = camera_looking({4, -4.5f, 2.5f}, {0, 0, 1}, 0.6f, 16 / 9.0f);
-    const Image position = position_layer(truth, large, large, Scene::room_with_ball);
+    const Image position = position_layer(truth, large, large, SyntheticScene::room_with_ball);
     double best_ms = 1e9;
     for (int repeat = 0; repeat < 5; ++repeat) {
         const auto start = std::chrono::steady_clock::now();

@@ -4,8 +4,8 @@
 //             D(h) = 1 / (pi mx my (x^2/mx^2 + y^2/my^2 + z^2)^2),  h = (x, y, z)
 //             G1(w) = 2 z / (z + s(w)),  s(w) = |(mx x, my y, z)|,  so  f = F D / ((z_o + s_o) (z_i + s_i))
 //             sample the visible normals, bounded to those that reflect above the surface: p(wi) = D(h) / (2 (k z_o + s_o))
-// Source      Walter et al. 2007, eq. 33-34; anisotropic: Heitz 2014, eq. 85-86; sampling: Heitz 2018, as a spherical cap
-//             by Dupuy & Benyoub 2023, bounded by Eto & Tokuyoshi 2023, listing 1 (k = 1 is the unbounded one).
+// Source      Walter et al. 2007, eq. 33-34; anisotropic: Heitz 2014; sampling: Heitz 2018, as a spherical cap
+//             by Dupuy & Benyoub 2023, bounded by Eto & Tokuyoshi 2023 (k = 1 is the unbounded one).
 // Parameters  mx, my: alpha along t and b, the square of the artist's roughness; equals Cycles' GGX.
 // Traps       G is separable, not height-correlated, and without multiple scattering, as Cycles has it. Tails are long:
 //             D falls like tan^-4, so a lobe of alpha 0.02 still reflects a bright lamp 30 degrees away.
@@ -21,7 +21,7 @@ public:
     static ModelInfo info() {
         return {"ggx",
                 "microfacets with long-tailed slopes (Trowbridge-Reitz), Smith shadowing",
-                "Walter et al. 2007, eq. 33-34; Heitz 2014, eq. 85-86",
+                "Walter et al. 2007, eq. 20, 33-34; Heitz 2014",
                 {},
                 true};
     }

@@ -1,0 +1,77 @@
+#include <burnish/base/error.h>
+#include <burnish/output/atomic_file.h>
+#include <burnish/output/preview.h>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+namespace burnish {
+namespace {
+
+constexpr int kLineWidth = 2;       // pixels
+constexpr float kLineValue = 0.6f;  // display code value
+
+/// The first three channels as display code values.
+Image displayed(const Image& image, const PreviewSettings& settings) {
+    if (image.channels < 3)
+        throw Error(ErrorCode::bad_argument,
+                    "a preview needs three channels, the image has " + std::to_string(image.channels) + "; give RGB");
+    const float gain = std::exp2(settings.exposure_stops);
+    Image rgb(image.width, image.height, 3);
+    for (size_t i = 0; i < image.pixel_count(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const float value = image.at(i)[c] * gain;
+            rgb.at(i)[c] = std::isnan(value) ? 0.0f : value;
+        }
+    apply_view(rgb, settings.space, settings.display, settings.view, settings.config ? *settings.config : ColorConfig::load());
+    return rgb;
+}
+
+/// Copies `from` into `to`, its left edge at `column`.
+void paste(const Image& from, int column, Image& to) {
+    for (int y = 0; y < from.height; ++y)
+        std::copy_n(from.at(0, y), static_cast<size_t>(from.width) * from.channels, to.at(column, y));
+}
+
+std::string lower_extension(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+void write_png(const std::string& file, const Image& rgb) {
+    if (lower_extension(file) != ".png")
+        throw Error(ErrorCode::bad_argument, file + ": previews are PNG files; end the name in .png");
+    OIIO::ImageSpec spec(rgb.width, rgb.height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    AtomicFile target(file);
+    OIIO::Filesystem::IOFile stream(target.handle(), OIIO::Filesystem::IOProxy::Write);
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png", &stream);
+    if (!output || !output->open(file, spec)) target.fail(output ? output->geterror() : OIIO::geterror());
+    if (!output->write_image(OIIO::TypeFloat, rgb.data.data())) target.fail(output->geterror());
+    if (!output->close()) target.fail(output->geterror());
+    target.commit();
+}
+
+}  // namespace
+
+void write_preview(const std::string& file, const Image& image, const PreviewSettings& settings) {
+    write_png(file, displayed(image, settings));
+}
+
+void write_before_after(const std::string& file, const Image& before, const Image& after, const PreviewSettings& settings) {
+    if (before.height != after.height)
+        throw Error(ErrorCode::size_mismatch, file + ": the images to compare are " + std::to_string(before.height) + " and " +
+                                                  std::to_string(after.height) + " pixels high");
+    Image both(before.width + kLineWidth + after.width, before.height, 3, kLineValue);
+    paste(displayed(before, settings), 0, both);
+    paste(displayed(after, settings), before.width + kLineWidth, both);
+    write_png(file, both);
+}
+
+}  // namespace burnish

@@ -1,0 +1,26 @@
+// Pictures to look at: 8-bit PNGs through the display view of the studio's colour config.
+#pragma once
+
+#include <burnish/base/image.h>
+#include <burnish/input/color.h>
+
+#include <optional>
+#include <string>
+
+namespace burnish {
+
+struct PreviewSettings {
+    std::optional<ColorConfig> config;   // none: $OCIO, or the plain config, which is sRGB without tone mapping
+    std::string space = "scene_linear";  // colour space of the image
+    std::string display, view;           // empty: the config's default
+    float exposure_stops = 0;            // the light is multiplied by 2^stops
+};
+
+/// Writes linear RGB(A) as an RGB PNG; alpha is dropped, which shows associated colour over black. NaN is shown black.
+/// Whole or not at all. Throws Error(bad_argument) for another file extension, Error(color_space), Error(write_failed).
+void write_preview(const std::string& file, const Image& image, const PreviewSettings& settings);
+
+/// Two images of the same height side by side, a thin line between them. Throws Error(size_mismatch).
+void write_before_after(const std::string& file, const Image& before, const Image& after, const PreviewSettings& settings);
+
+}  // namespace burnish
