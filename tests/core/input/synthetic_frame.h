@@ -13,7 +13,7 @@ namespace burnish {
 struct SyntheticFrame {
     Window window{0, 0, 96, 54};
     Camera camera = camera_looking({3.5f, -4.0f, 3.0f}, {0.3f, 0.5f, 1.2f}, 0.6f, 96.0f / 54.0f);
-    Image position = position_layer(camera, window, window, Scene::room_with_ball);
+    Image position = position_layer(camera, window, window, SyntheticScene::room_with_ball);
     Image normal = make_normal();
     Image depth = make_depth(false), distance = make_depth(true);
     Image beauty = Image(96, 54, 4, 0.25f);
