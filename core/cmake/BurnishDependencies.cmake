@@ -1,4 +1,4 @@
-# Finds what burnish stands on. Included by the build and by the installed burnish-config.cmake.
+# Finds what burnish stands on. What strangers need of it is in burnish-config.cmake.in.
 find_package(Imath REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(OpenImageIO REQUIRED)

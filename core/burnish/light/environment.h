@@ -3,6 +3,7 @@
 
 #include <burnish/light/cube_pyramid.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,7 +33,9 @@ public:
     /// Reads a lat-long (.hdr, .exr, .tx), a cube in one picture (envmap attribute, strip, two rows or cross, see
     /// environment_layouts.h) or, when `file` has a `%s` or `{face}` in its name, six files px nx py ny pz nz (also posx,
     /// +X, +x ...). Throws Error(read_failed | bad_argument).
-    static Environment load(const std::string& file, const EnvironmentSettings& settings);
+    /// `convert` takes each picture (RGB, scrubbed) into the colour space of the work; empty = it is there.
+    static Environment load(const std::string& file, const EnvironmentSettings& settings,
+                            const std::function<void(Image&)>& convert = {});
     /// From pixels in memory: lat-long (W = 2H) or one of the cube layouts, RGB or grey.
     static Environment from_image(const Image& image, const EnvironmentSettings& settings, const std::string& name);
 

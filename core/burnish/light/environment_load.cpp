@@ -60,6 +60,16 @@ void warn(const Scrubbed& count, const std::string& name, std::vector<std::strin
     add(count.negative, "negative values set to 0");
 }
 
+using Conversion = std::function<void(Image&)>;
+
+/// Finite values >= 0 in the colour space of the work; colours outside its gamut lose their negative part.
+void clean(Image& picture, const Conversion& convert, const std::string& name, std::vector<std::string>& warnings) {
+    warn(scrub(picture), name, warnings);
+    if (!convert) return;
+    convert(picture);
+    for (float& value : picture.data) value = std::max(value, 0.0f);
+}
+
 /// First three channels, or the first one three times.
 Image as_rgb(const Image& image, const std::string& name) {
     if (image.empty() || image.channels < 1)
@@ -101,10 +111,10 @@ struct Given {
 
 std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-Given laid_out(Image picture, EnvmapTag tag, const std::string& name) {
+Given laid_out(Image picture, EnvmapTag tag, const std::string& name, const Conversion& convert) {
     Given given;
     given.tag = tag;
-    warn(scrub(picture), name, given.warnings);
+    clean(picture, convert, name, given.warnings);
     const std::string size = size_text(picture.width, picture.height);
     const EnvironmentLayout layout =
         tag == EnvmapTag::latlong ? EnvironmentLayout::latlong : layout_of(picture.width, picture.height);
@@ -125,13 +135,13 @@ Given laid_out(Image picture, EnvmapTag tag, const std::string& name) {
     return given;
 }
 
-Given six_files(const std::string& pattern, size_t at, size_t length) {
+Given six_files(const std::string& pattern, size_t at, size_t length, const Conversion& convert) {
     Given given;
     std::array<Image, 6> faces;
     const std::array<std::string, 6> files = face_files(pattern, at, length);
     for (int face = 0; face < 6; ++face) {
         faces[face] = read_picture(files[face]).rgb;
-        warn(scrub(faces[face]), files[face], given.warnings);
+        clean(faces[face], convert, files[face], given.warnings);
         const int size = faces[0].width;
         if (faces[face].width == size && faces[face].height == size) continue;
         throw Error(ErrorCode::read_failed, files[face] + ": expected a cube face of " + size_text(size, size) +
@@ -189,19 +199,19 @@ struct Environment::Builder {
     }
 };
 
-Environment Environment::load(const std::string& file, const EnvironmentSettings& settings) {
+Environment Environment::load(const std::string& file, const EnvironmentSettings& settings, const Conversion& convert) {
     check_settings(settings, file);
     for (const std::string placeholder : {"{face}", "%s"}) {
         const size_t at = file.find(placeholder);
-        if (at != std::string::npos) return Builder::build(six_files(file, at, placeholder.size()), settings, file);
+        if (at != std::string::npos) return Builder::build(six_files(file, at, placeholder.size(), convert), settings, file);
     }
     Picture picture = read_picture(file);
-    return Builder::build(laid_out(std::move(picture.rgb), picture.tag, file), settings, file);
+    return Builder::build(laid_out(std::move(picture.rgb), picture.tag, file, convert), settings, file);
 }
 
 Environment Environment::from_image(const Image& image, const EnvironmentSettings& settings, const std::string& name) {
     check_settings(settings, name);
-    return Builder::build(laid_out(as_rgb(image, name), EnvmapTag::none, name), settings, name);
+    return Builder::build(laid_out(as_rgb(image, name), EnvmapTag::none, name, {}), settings, name);
 }
 
 }  // namespace burnish

@@ -1,0 +1,48 @@
+// All of burnish, in the order of its dataflow.
+//
+//     #include <burnish/burnish.h>
+//     burnish::Job job;
+//     job.aovs = "beauty.exr", job.environment = "studio.hdr", job.material = "chrome", job.output.file = "out.exr";
+//     burnish::run(job, burnish::Progress());
+#pragma once
+
+#include <burnish/base/error.h>
+#include <burnish/base/image.h>
+#include <burnish/base/parallel.h>
+#include <burnish/base/progress.h>
+#include <burnish/base/types.h>
+
+#include <burnish/input/assign.h>
+#include <burnish/input/camera.h>
+#include <burnish/input/color.h>
+#include <burnish/input/exr_reader.h>
+#include <burnish/input/frame.h>
+#include <burnish/input/frames.h>
+#include <burnish/input/roles.h>
+
+#include <burnish/surface/surfaces.h>
+
+#include <burnish/sampling/estimator.h>
+
+#include <burnish/material/albedo.h>
+#include <burnish/material/library.h>
+#include <burnish/material/lobe.h>
+#include <burnish/material/model.h>
+
+#include <burnish/light/environment.h>
+
+#include <burnish/shading/dense.h>
+
+#include <burnish/composite/composite.h>
+
+#include <burnish/output/compare.h>
+#include <burnish/output/exr_writer.h>
+#include <burnish/output/preview.h>
+#include <burnish/output/report.h>
+
+#include <burnish/job/job.h>
+#include <burnish/job/read_frame.h>
+#include <burnish/job/run.h>
+#include <burnish/job/run_frame.h>
+#include <burnish/job/settings.h>
+#include <burnish/job/shot_file.h>

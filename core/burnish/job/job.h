@@ -1,0 +1,63 @@
+// A job: everything one run needs to know, as plain values. Every face (command line, shot file, Python) fills this struct
+// through the settings table (settings.h) and hands it to `run`.
+//
+// The initialisers here are the defaults of every face.
+#pragma once
+
+#include <burnish/composite/composite.h>
+#include <burnish/input/assign.h>
+#include <burnish/light/environment.h>
+#include <burnish/material/parameters.h>
+#include <burnish/output/exr_writer.h>
+#include <burnish/sampling/estimator.h>
+#include <burnish/surface/surfaces.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// What a frame that is missing, unreadable or lacks a channel does to a sequence.
+enum class BadFrames { error, skip };
+
+/// OpenColorIO names; an empty one means "as it is". The frame's own space must be linear: shading happens in it.
+struct ColorSpaces {
+    std::string config;  // OpenColorIO config file; "" = $OCIO
+    std::string beauty, environment, output;
+};
+
+struct OutputSettings {
+    std::string file;             // EXR, may hold a frame pattern
+    std::string preview, report;  // PNG and JSON beside it; "" = none
+    PixelType pixel_type = PixelType::half;
+    bool diagnostics = false;  // validity, samples and error layers
+    bool skip_existing = false;
+};
+
+struct Job {
+    std::string aovs;    // EXR, may hold a frame pattern
+    std::string frames;  // "1-24", "1-100x5"; "" = the file as named, or every frame found
+    std::string view;    // multi-view files
+    BadFrames bad_frames = BadFrames::error;
+    std::map<Role, std::string> channels;  // explicit layer per role
+    std::string camera;                    // file, may hold a frame pattern, or the JSON itself; "" = from the frame
+
+    std::string environment;  // file
+    EnvironmentSettings light;
+
+    std::string material;  // what pixels wear that no rule of `assign` names; "" = nothing
+    std::map<std::string, Material> materials;
+    std::vector<AssignRule> assign;
+    std::map<std::string, std::string> old_materials;  // mode difference: material of the render, by today's name
+    PerPixel per_pixel;                                // applied to every lobe
+
+    EstimatorSettings estimator;
+    SurfaceSettings surface;
+    CompositeSettings composite;
+    ColorSpaces color;
+    OutputSettings output;
+    int threads = 0;  // 0 = all cores
+};
+
+}  // namespace burnish

@@ -1,0 +1,90 @@
+#include <burnish/job/read_frame.h>
+
+#include <burnish/base/error.h>
+#include <burnish/base/json_text.h>
+#include <burnish/input/camera_json.h>
+#include <burnish/input/exr_reader.h>
+#include <burnish/input/frame_geometry.h>
+#include <burnish/input/metadata.h>
+#include <burnish/job/run_frame.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+using nlohmann::json;
+
+float display_aspect(const AovFrame& frame) {
+    const double pixel = frame.metadata ? number_attribute(*frame.metadata, "PixelAspectRatio").value_or(1.0) : 1.0;
+    return static_cast<float>(pixel * frame.display_window.width / frame.display_window.height);
+}
+
+/// A camera file may hold the camera itself, or an exporter's larger document with a "camera" in it.
+Camera camera_from_text(const std::string& camera, const AovFrame& frame) {
+    const bool is_text = camera.starts_with('{');
+    const std::string where = is_text ? "camera" : camera;
+    const json document = is_text ? parse_json(camera, where) : read_json(camera, "camera");
+    const bool nested = document.is_object() && document.contains("camera");
+    return camera_from_json(nested ? document["camera"] : document, nested ? where + ": camera" : where, display_aspect(frame));
+}
+
+std::function<Camera(const AovFrame&)> camera_source(const std::string& camera) {
+    if (camera.empty()) return {};
+    return [camera](const AovFrame& frame) { return camera_from_text(camera, frame); };
+}
+
+/// The channels a role takes out of an array that may have an alpha more.
+void check_layer(const Image& image, const RoleInfo& role, const Image& first) {
+    const std::string name(role.name);
+    if (image.width != first.width || image.height != first.height)
+        throw Error(ErrorCode::size_mismatch, name + ": expected " + std::to_string(first.width) + "x" +
+                                                  std::to_string(first.height) + " pixels like the other layers, found " +
+                                                  std::to_string(image.width) + "x" + std::to_string(image.height));
+    if (image.channels != role.channels)
+        throw Error(ErrorCode::size_mismatch, name + ": expected " + std::to_string(role.channels) + " channels, found " +
+                                                  std::to_string(image.channels));
+}
+
+void split_alpha(std::map<Role, Image>& layers) {
+    const auto beauty = layers.find(Role::beauty);
+    if (beauty == layers.end() || beauty->second.channels != 4) return;
+    const Image rgba = std::move(beauty->second);
+    Image &rgb = beauty->second = Image(rgba.width, rgba.height, 3), alpha(rgba.width, rgba.height, 1);
+    for (size_t i = 0; i < rgba.pixel_count(); ++i) std::copy_n(rgba.at(i), 3, rgb.at(i)), *alpha.at(i) = rgba.at(i)[3];
+    layers.emplace(Role::alpha, std::move(alpha));
+}
+
+}  // namespace
+
+AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera) {
+    ReadOptions options;
+    options.roles = wanted_roles(job, wardrobe, false);
+    options.channels = job.channels;
+    options.view = job.view;
+    options.camera = camera_source(camera);
+    options.cryptomattes =
+        std::any_of(wardrobe.rules.begin(), wardrobe.rules.end(), [](const AssignRule& r) { return !r.cryptomatte.empty(); });
+    AovFrame frame = read_frame(file, options);
+    if (frame.has(Role::beauty)) return frame;
+    options.roles = wanted_roles(job, wardrobe, true);
+    return read_frame(file, options);
+}
+
+AovFrame frame_from_layers(std::map<Role, Image> layers, const std::string& camera) {
+    if (layers.empty()) throw Error(ErrorCode::size_mismatch, "aovs: expected at least position and normal, found no layer");
+    split_alpha(layers);
+    const Image& first = layers.begin()->second;
+    for (const auto& [role, image] : layers) check_layer(image, role_info(role), first);
+    AovFrame frame;
+    frame.data_window = frame.display_window = {0, 0, first.width, first.height};
+    frame.layers = std::move(layers);
+    find_camera(frame, camera_source(camera));
+    judge_depth(frame);
+    complete_position(frame, false);
+    return frame;
+}
+
+}  // namespace burnish

@@ -1,0 +1,20 @@
+// The frame a job works on: from a file, or from layers in memory.
+#pragma once
+
+#include <burnish/input/frame.h>
+#include <burnish/job/look.h>
+
+#include <map>
+#include <string>
+
+namespace burnish {
+
+/// Reads the layers that the job needs. `camera`: JSON file, the JSON itself, or "" (see Job::camera).
+/// Throws Error(read_failed | missing_channel | bad_argument).
+AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera);
+
+/// A frame from layers of one size, linear and in world space. A beauty of four channels holds alpha too. Without a camera it
+/// is recovered from position. Throws Error(size_mismatch | bad_argument).
+AovFrame frame_from_layers(std::map<Role, Image> layers, const std::string& camera);
+
+}  // namespace burnish

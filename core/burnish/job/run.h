@@ -1,0 +1,24 @@
+// The one way through burnish: a job in, files and a report out.
+#pragma once
+
+#include <burnish/base/progress.h>
+#include <burnish/job/job.h>
+#include <burnish/output/report.h>
+
+namespace burnish {
+
+/// Runs every frame of the job: reads, shades, composites and writes, whole files or none. Light and materials are prepared
+/// once. Progress is told as (stage, share of the whole run).
+///
+/// Frames that are missing, unreadable or lack a channel stop the run with an Error that starts with "frame=N", or are
+/// reported and left out (Job::bad_frames). The report file is written in every case but cancellation.
+/// Throws Error with any code; what was written before stays and is whole.
+Report run(const Job& job, const Progress& progress);
+
+/// Version of the library, "major.minor.patch".
+std::string_view version();
+
+/// Exit code of a run that returned: 0, or 3 when some frames were skipped or failed.
+int exit_code(const Report& report);
+
+}  // namespace burnish

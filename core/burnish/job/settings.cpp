@@ -1,0 +1,175 @@
+#include <burnish/job/settings.h>
+
+#include <burnish/job/setting_kinds.h>
+#include <burnish/job/structured_settings.h>
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+using namespace setting;
+constexpr NumberRange kPositive{0, kAnyNumber.max};
+
+/// Binds a table row to a member of Job, for reading and for writing.
+#define AT(member) \
+    [](auto& job) -> auto& { return job.member; }
+
+void add_input(std::vector<Setting>& table) {
+    using Kind = SettingKind;
+    table.push_back(text({"aovs", "", "aovs"}, AT(aovs), Kind::path, "FILE",
+                         "the rendered frame with its AOVs, an EXR; #### in its name stands for the frame number"));
+    table.push_back(text({"frames", "", "frames"}, AT(frames), Kind::text, "RANGE",
+                         "frames to do: 1-24, 1-100x5, 1,3,7-9; empty: every frame found"));
+    table.push_back(choice<BadFrames>({"bad_frames", "", "bad_frames"}, AT(bad_frames),
+                                      {{"error", BadFrames::error}, {"skip", BadFrames::skip}},
+                                      "a frame that is missing, unreadable or lacks a channel: stop, or report it and go on"));
+    table.push_back(text({"view", "", "view"}, AT(view), Kind::text, "NAME", "view of a multi-view file; empty: the first"));
+    table.push_back(channels_setting());
+    table.push_back(camera_setting());
+}
+
+void add_light(std::vector<Setting>& table) {
+    table.push_back(text({"env", "lights", "file"}, AT(environment), SettingKind::path, "FILE",
+                         "environment map around the objects: lat-long or cube, .hdr or .exr"));
+    table.push_back(choice<EnvironmentConvention>(
+        {"env_convention", "lights", "convention"}, AT(light.convention),
+        {{"auto", EnvironmentConvention::automatic},
+         {"blender", EnvironmentConvention::blender},
+         {"openexr", EnvironmentConvention::openexr}},
+        "how the picture lies over directions: openexr has +Z in the middle, Y up; blender +X in the middle, Z up"));
+    table.push_back(choice<UpAxis>({"up", "lights", "up"}, AT(light.up),
+                                   {{"auto", UpAxis::automatic}, {"y", UpAxis::y}, {"z", UpAxis::z}},
+                                   "up axis of the render's world: y for Maya, Houdini, Arnold; z for Blender, 3ds Max"));
+    table.push_back(number({"env_rotate", "lights", "rotate"}, AT(light.rotate_deg), kAnyNumber, "degrees",
+                           "turns the environment about the up axis"));
+    table.push_back(boolean({"env_flip", "lights", "flip"}, AT(light.flip), "mirrors the environment left to right"));
+    table.push_back(number({"env_scale", "lights", "scale"}, AT(light.scale), kPositive, "", "multiplies the light"));
+    table.push_back(color({"env_tint", "lights", "tint"}, AT(light.tint), kPositive, "colour that multiplies the light"));
+    table.push_back(integer({"env_face_size", "lights", "face_size"}, AT(light.face_size), {0, 8192}, "texels",
+                            "edge of the cube faces the light is kept in; 0: from the file"));
+    table.push_back(choice<PyramidKernel>(
+        {"env_kernel", "lights", "kernel"}, AT(light.kernel),
+        {{"box2", PyramidKernel::box2}, {"binomial4", PyramidKernel::binomial4}, {"binomial6", PyramidKernel::binomial6}},
+        "filter from each level of the light's pyramid to the next"));
+    table.push_back(text({"env_space", "lights", "space"}, AT(color.environment), SettingKind::text, "NAME",
+                         "colour space of the environment; empty: as beauty_space"));
+}
+
+void add_materials(std::vector<Setting>& table) {
+    table.push_back(text({"material", "", "material"}, AT(material), SettingKind::text, "NAME",
+                         "what pixels wear that no assign rule names: a material of the job, a preset or a JSON file"));
+    table.push_back(materials_setting());
+    table.push_back(assign_setting());
+    table.push_back(pairs({"old_material", "", "old_materials"}, AT(old_materials), "NAME=OLD",
+                          "mode difference: the material each was rendered with"));
+    table.push_back(per_pixel_setting());
+}
+
+void add_quality(std::vector<Setting>& table) {
+    table.push_back(choice<EstimatorKind>({"estimator", "quality", "estimator"}, AT(estimator.kind),
+                                          {{"regular", EstimatorKind::regular},
+                                           {"filtered_importance", EstimatorKind::filtered_importance},
+                                           {"reference", EstimatorKind::reference}},
+                                          "how the reflection is integrated; reference is slow and measures its own error"));
+    table.push_back(integer({"samples", "quality", "samples"}, AT(estimator.samples), {1, 4096}, "",
+                            "lookups per lobe and pixel; regular takes the pattern nearest to it"));
+    table.push_back(choice<PatternKind>({"pattern", "quality", "pattern"}, AT(estimator.pattern),
+                                        {{"auto", PatternKind::automatic},
+                                         {"circles", PatternKind::circles},
+                                         {"offset_circles", PatternKind::offset_circles},
+                                         {"ring", PatternKind::ring},
+                                         {"line", PatternKind::line}},
+                                        "shape of the regular pattern; auto: circles, or a line where the lobe is very long"));
+    table.push_back(number({"border", "quality", "border"}, AT(estimator.border), {0, 0.999}, "",
+                           "where the lobe ends, its density relative to the peak; 0: by sample count"));
+    table.push_back(choice<Quadrature>({"quadrature", "quality", "quadrature"}, AT(estimator.quadrature),
+                                       {{"half_vector", Quadrature::half_vector},
+                                        {"energy", Quadrature::energy},
+                                        {"energy_squared", Quadrature::energy_squared}},
+                                       "weights of the regular pattern"));
+    table.push_back(number({"level_bias", "quality", "level_bias"}, AT(estimator.level_bias), {-8, 8}, "levels",
+                           "added to the pyramid level of every lookup; lower is sharper and noisier"));
+    table.push_back(boolean({"albedo_correction", "quality", "albedo_correction"}, AT(estimator.albedo_correction),
+                            "keeps the lobe's energy at grazing angles"));
+    table.push_back(number({"tolerance", "quality", "tolerance"}, AT(estimator.tolerance), {1e-6, 1}, "",
+                           "reference: standard error to stop at, relative to the pixel's mean"));
+    table.push_back(integer({"max_samples", "quality", "max_samples"}, AT(estimator.max_samples), {1, 1 << 20}, "",
+                            "reference: most samples of a pixel"));
+}
+
+void add_surface(std::vector<Setting>& table) {
+    table.push_back(choice<TangentSource>({"tangent", "surface", "tangent"}, AT(surface.tangent),
+                                          {{"auto", TangentSource::automatic},
+                                           {"layer", TangentSource::layer},
+                                           {"uv", TangentSource::uv},
+                                           {"axis", TangentSource::axis}},
+                                          "where the direction of brushing comes from; auto: the first that the frame allows"));
+    table.push_back(tangent_axis_setting());
+    table.push_back(number({"min_normal_length", "surface", "min_normal_length"}, AT(surface.min_normal_length), {0, 1}, "",
+                           "pixels whose averaged normal is shorter are not shaded"));
+    table.push_back(boolean({"roughness_is_alpha", "surface", "roughness_is_alpha"}, AT(surface.roughness_is_alpha),
+                            "the roughness layer holds alpha instead of the artist's roughness (alpha = roughness^2)"));
+}
+
+void add_composite(std::vector<Setting>& table) {
+    table.push_back(choice<CompositeMode>(
+        {"mode", "composite", "mode"}, AT(composite.mode),
+        {{"add", CompositeMode::add}, {"replace", CompositeMode::replace}, {"difference", CompositeMode::difference}},
+        "add the overlay; replace the rendered specular by it; or add new minus old material"));
+    table.push_back(number({"gain", "composite", "gain"}, AT(composite.gain), kPositive, "", "multiplies the overlay"));
+    table.push_back(color({"tint", "composite", "tint"}, AT(composite.tint), kPositive, "colour that multiplies the overlay"));
+}
+
+void add_color(std::vector<Setting>& table) {
+    table.push_back(text({"ocio_config", "color", "config"}, AT(color.config), SettingKind::path, "FILE",
+                         "OpenColorIO config; empty: the one $OCIO names"));
+    table.push_back(text({"beauty_space", "color", "beauty_space"}, AT(color.beauty), SettingKind::text, "NAME",
+                         "linear colour space of the frame, in which burnish shades; empty: as it is"));
+    table.push_back(text({"output_space", "color", "output_space"}, AT(color.output), SettingKind::text, "NAME",
+                         "colour space of the EXR written; empty: the frame's own"));
+}
+
+void add_output(std::vector<Setting>& table) {
+    using Kind = SettingKind;
+    table.push_back(text({"output", "output", "file"}, AT(output.file), Kind::path, "FILE",
+                         "EXR to write; #### stands for the frame number"));
+    table.push_back(choice<PixelType>({"pixel_type", "output", "pixel_type"}, AT(output.pixel_type),
+                                      {{"half", PixelType::half}, {"float", PixelType::float32}}, "of the EXR's channels"));
+    table.push_back(text({"preview", "output", "preview"}, AT(output.preview), Kind::path, "FILE", "PNG to look at"));
+    table.push_back(text({"report", "output", "report"}, AT(output.report), Kind::path, "FILE",
+                         "JSON report: what was found, done and how long it took"));
+    table.push_back(boolean({"diagnostics", "output", "diagnostics"}, AT(output.diagnostics),
+                            "adds layers burnish_validity, burnish_samples and, for the reference, burnish_error"));
+    table.push_back(boolean({"skip_existing", "output", "skip_existing"}, AT(output.skip_existing),
+                            "leaves out frames whose output is newer than their input"));
+    table.push_back(integer({"threads", "", "threads"}, AT(threads), {0, 1024}, "", "worker threads; 0: all cores"));
+}
+
+#undef AT
+
+std::vector<Setting> make_settings() {
+    std::vector<Setting> table;
+    for (auto* add : {add_input, add_light, add_materials, add_quality, add_surface, add_composite, add_color, add_output})
+        add(table);
+    return table;
+}
+
+}  // namespace
+
+std::span<const Setting> settings() {
+    static const std::vector<Setting> table = make_settings();
+    return table;
+}
+
+void set_settings(Job& job, const nlohmann::json& values, const std::string& where) {
+    std::vector<std::string_view> names;
+    for (const Setting& setting : settings()) names.push_back(setting.name);
+    for (const auto& [name, value] : values.items()) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) fail_unknown(where.empty() ? "job" : where, "setting", name, names);
+        settings()[static_cast<size_t>(found - names.begin())].set(job, value, where.empty() ? name : where + ": " + name);
+    }
+}
+
+}  // namespace burnish

@@ -1,0 +1,36 @@
+// Wall time and progress of the stages of a run.
+#pragma once
+
+#include <burnish/base/progress.h>
+#include <burnish/output/report.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace burnish {
+
+/// Runs `work`, adds its wall time in seconds under `stage` and hands its result on.
+template <class Work>
+auto timed(NamedValues<double>& seconds, const std::string& stage, Work&& work) {
+    struct Stopwatch {
+        NamedValues<double>& seconds;
+        const std::string& stage;
+        std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+        ~Stopwatch() {
+            const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+            seconds.emplace_back(stage, elapsed.count());
+        }
+    } stopwatch{seconds, stage};
+    return std::forward<Work>(work)();
+}
+
+/// Progress of a part of something larger: [0, 1] of the part is [begin, end] of the whole.
+inline Progress part_of(const Progress& whole, float begin, float end) {
+    return Progress([whole, begin, end](const std::string& stage, float done) {
+        whole.report(stage, begin + (end - begin) * done);
+        return true;
+    });
+}
+
+}  // namespace burnish

@@ -1,0 +1,76 @@
+#include <burnish/output/envmap_writer.h>
+
+#include <burnish/base/error.h>
+#include <burnish/base/parallel.h>
+#include <burnish/light/latlong.h>
+#include <burnish/output/atomic_file.h>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace burnish {
+namespace {
+
+/// From the picture's axes (Y up) to the world's.
+Vec3f to_world(const Vec3f& d, UpAxis up) { return up == UpAxis::z ? Vec3f(d.x, -d.z, d.y) : d; }
+
+/// Direction and solid angle of a texel.
+struct Texel {
+    Vec3f d;
+    float solid_angle;
+};
+
+Texel latlong_texel(int x, int y, int width) {
+    const float step = 2 * kPi / static_cast<float>(width), theta = (static_cast<float>(y) + 0.5f) * step;
+    const Vec2f uv((static_cast<float>(x) + 0.5f) / static_cast<float>(width), theta / kPi);
+    return {latlong_direction(uv), step * step * std::sin(theta)};
+}
+
+Texel cube_texel(int x, int y, int size) {
+    const float n = static_cast<float>(size), s = (static_cast<float>(x) + 0.5f) / n;
+    const Vec3f d = cube_direction(y / size, s, (static_cast<float>(y % size) + 0.5f) / n);
+    const float largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    return {d, 4 / (n * n) * largest * largest * largest};
+}
+
+}  // namespace
+
+Image envmap_picture(const Environment& light, UpAxis up, EnvmapLayout layout, int size) {
+    const bool latlong = layout == EnvmapLayout::latlong;
+    Image picture(size, latlong ? size / 2 : 6 * size, 3);
+    for_each_index(picture.height, [&](int y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Texel texel = latlong ? latlong_texel(x, y, size) : cube_texel(x, y, size);
+            const Vec3f d = to_world(texel.d, up) * light.world_to_light();
+            const CubePyramid& pyramid = light.pyramid();
+            const Color3f c = pyramid.lookup(d, std::max(pyramid.level(d, texel.solid_angle), 0.0f)) * light.gain();
+            std::copy_n(&c.x, 3, picture.at(x, y));
+        }
+    });
+    return picture;
+}
+
+void write_envmap(const std::string& file, const Image& picture, EnvmapLayout layout) {
+    constexpr float kLargestHalf = 65504.0f;
+    if (std::filesystem::path(file).extension() != ".exr")
+        throw Error(ErrorCode::bad_argument, file + ": environment maps are written as EXR; end the name in .exr");
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeHalf);
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", 0);  // keeps OpenImageIO from stamping the time: same job, same bits
+    spec.attribute("textureformat", layout == EnvmapLayout::latlong ? "LatLong Environment" : "CubeFace Environment");
+    spec.attribute("oiio:updirection", "y");
+    Image clamped = picture;
+    for (float& value : clamped.data) value = std::min(value, kLargestHalf);
+    AtomicFile target(file);
+    OIIO::Filesystem::IOFile stream(target.handle(), OIIO::Filesystem::IOProxy::Write);
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr", &stream);
+    if (!output || !output->open(file, spec)) target.fail(output ? output->geterror() : OIIO::geterror());
+    if (!output->write_image(OIIO::TypeFloat, clamped.data.data())) target.fail(output->geterror());
+    if (!output->close()) target.fail(output->geterror());
+    target.commit();
+}
+
+}  // namespace burnish

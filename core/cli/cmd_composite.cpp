@@ -1,0 +1,77 @@
+// burnish composite: frames in, frames with their overlay out.
+#include "command.h"
+#include "progress_display.h"
+#include "setting_options.h"
+
+#include <burnish/base/error.h>
+#include <burnish/job/run.h>
+#include <burnish/job/settings.h>
+#include <burnish/job/shot_file.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace burnish::cli {
+namespace {
+
+struct Options {
+    std::string input;  // EXR, EXR pattern or shot file
+    nlohmann::json values = nlohmann::json::object();
+    std::string progress = "auto";
+    bool quiet = false, verbose = false, as_json = false;
+};
+
+Job make_job(const Options& options) {
+    Job job;
+    if (options.input.ends_with(".json"))
+        job = read_shot_file(options.input);
+    else
+        job.aovs = options.input;
+    set_settings(job, options.values, "");
+    return job;
+}
+
+void print_lines(const char* label, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) std::fprintf(stderr, "burnish: %s: %s\n", label, line.c_str());
+}
+
+void print(const Report& report, const Options& options) {
+    if (options.verbose) print_lines("note", report.notes);
+    if (!options.quiet) print_lines("warning", report.warnings);
+    for (const FrameReport& frame : report.frames) {
+        if (options.verbose) print_lines("note", frame.notes);
+        if (!options.quiet) print_lines("warning", frame.warnings);
+        if (!options.quiet && !options.as_json) std::printf("%s\n", summary(frame).c_str());
+    }
+    if (options.as_json) std::printf("%s\n", report_to_json(report).dump(2).c_str());
+}
+
+int composite(const Options& options) {
+    const Job job = make_job(options);
+    Report report;
+    {
+        ProgressDisplay display(options.quiet ? "none" : options.progress);
+        report = run(job, display.progress());
+    }
+    print(report, options);
+    return exit_code(report);
+}
+
+}  // namespace
+
+Run add_composite(CLI::App& app) {
+    auto* command = app.add_subcommand("composite", "Adds the specular overlay to rendered frames");
+    auto options = std::make_shared<Options>();
+    command->add_option("AOVS", options->input, "an EXR, an EXR pattern (shot.####.exr) or a shot file (.json)")->required();
+    add_setting_options(*command, options->values);
+    command->add_option("--progress", options->progress, "auto|none|text|alf|json|openjd, on stderr [auto]")
+        ->check(CLI::IsMember(std::vector<std::string>(std::begin(kProgressFormats), std::end(kProgressFormats))))
+        ->type_name("FORMAT");
+    command->add_flag("-q,--quiet", options->quiet, "print errors only");
+    command->add_flag("-v,--verbose", options->verbose, "also print what was found and why");
+    command->add_flag("--json", options->as_json, "print the report as JSON");
+    command->footer("Example: burnish composite beauty.exr --env studio.hdr --material chrome -o out.exr");
+    return [options] { return composite(*options); };
+}
+
+}  // namespace burnish::cli

@@ -1,0 +1,19 @@
+// The settings table as command-line options.
+#pragma once
+
+#include <burnish/job/job.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace burnish::cli {
+
+/// Adds one option per setting that has a text form, of all sections or of one; not for what a command takes by position
+/// (`aovs`; of the section lights also `env`). What the user gives is collected in `values` by setting name; `values` must
+/// outlive the parsing.
+void add_setting_options(CLI::App& command, nlohmann::json& values, std::string_view section = "all");
+
+/// "--env-rotate" for "env_rotate".
+std::string option_name(std::string_view setting);
+
+}  // namespace burnish::cli

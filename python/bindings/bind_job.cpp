@@ -1,0 +1,97 @@
+// Whole jobs: with files as the command line runs them, and one frame in memory.
+#include "arrays.h"
+#include "bind.h"
+#include "json_objects.h"
+#include "light.h"
+#include "python_progress.h"
+
+#include <burnish/base/parallel.h>
+#include <burnish/job/color_flow.h>
+#include <burnish/job/read_frame.h>
+#include <burnish/job/run.h>
+#include <burnish/job/run_frame.h>
+#include <burnish/job/settings.h>
+#include <burnish/job/shot_file.h>
+
+namespace burnish::python {
+namespace {
+
+py::object run_job(const py::object& source, const py::dict& settings, const py::object& callback) {
+    const nlohmann::json document = to_json(source);
+    Job job = document.is_string() ? read_shot_file(document.get<std::string>()) : job_from_json(document, "job");
+    set_settings(job, to_json(settings), "job");
+    const Report report = PythonProgress(callback).run([&](const Progress& progress) { return run(job, progress); });
+    return from_json(report_to_json(report));
+}
+
+std::map<Role, Image> layers_from_python(const py::dict& arrays) {
+    std::map<Role, Image> layers;
+    for (const auto& [key, array] : arrays) {
+        const std::string name = py::str(key);
+        layers[role_by_name(name)] = to_image(array, name);
+    }
+    return layers;
+}
+
+/// The rules are the masks: one per material, in the order of the dict.
+Assignment masks_from_python(Job& job, const py::dict& arrays) {
+    std::vector<Image> masks;
+    job.material.clear(), job.assign.clear();
+    for (const auto& [key, array] : arrays) {
+        const std::string name = py::str(key);
+        job.assign.push_back({name, {}, {}, {}});
+        masks.push_back(to_image(array, "assign: " + name));
+    }
+    if (masks.empty()) throw Error(ErrorCode::bad_argument, "assign: expected at least one mask, found none");
+    return assign_masks(masks);
+}
+
+py::dict to_python(FrameResult&& result) {
+    py::dict layers;
+    const auto add = [&](const char* name, Image& image) {
+        if (!image.empty()) layers[name] = to_array(std::move(image));
+    };
+    add("beauty", result.composite.beauty), add("overlay", result.composite.overlay), add("diffuse", result.composite.diffuse);
+    add("validity", result.validity), add("samples", result.shaded.samples), add("error", result.shaded.standard_error);
+    layers["report"] = from_json(report_to_json(result.report));
+    return layers;
+}
+
+py::dict composite_frame(const py::object& arrays, const py::object& light, const py::object& masks, const py::dict& settings,
+                         const py::object& callback) {
+    Job job;
+    set_settings(job, to_json(settings), "composite");
+    std::optional<Assignment> assignment;
+    if (!masks.is_none()) assignment = masks_from_python(job, masks);
+    PythonProgress python_progress(callback);
+    const ThreadLimit limit(job.threads);
+    Wardrobe wardrobe = prepare_wardrobe(job);
+    std::map<Role, Image> layers;
+    if (!arrays.is_none()) layers = layers_from_python(arrays);
+    const AovFrame frame = python_progress.run([&](const Progress&) {
+        return arrays.is_none() ? read_job_frame(job, wardrobe, job.aovs, job.camera)
+                                : frame_from_layers(std::move(layers), job.camera);
+    });
+    const auto environment = light_from_python(job, light, frame.renderer);
+    FrameResult result = python_progress.run([&](const Progress& progress) {
+        const Look look = prepare_look(job, std::move(wardrobe), environment);
+        FrameResult done = run_frame(job, frame, look, assignment ? &*assignment : nullptr, progress);
+        ColorFlow(job).to_output(done.composite);
+        const auto add = [&](const auto& lines) {
+            done.report.warnings.insert(done.report.warnings.end(), lines.begin(), lines.end());
+        };
+        add(look.wardrobe.warnings), add(environment->warnings());
+        return done;
+    });
+    return to_python(std::move(result));
+}
+
+}  // namespace
+
+void bind_job(py::module_& module) {
+    module.def("run", &run_job, py::arg("job"), py::arg("settings"), py::arg("progress"));
+    module.def("composite", &composite_frame, py::arg("frame"), py::arg("light"), py::arg("masks"), py::arg("settings"),
+               py::arg("progress"));
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,70 @@
+// What burnish knows, as plain Python values: settings, roles, models, presets, the shot file's schema.
+#include "bind.h"
+#include "json_objects.h"
+
+#include <burnish/input/roles.h>
+#include <burnish/job/settings.h>
+#include <burnish/job/shot_file.h>
+#include <burnish/material/library.h>
+#include <burnish/material/model.h>
+
+#include <cmath>
+
+namespace burnish::python {
+namespace {
+
+namespace py = pybind11;
+using nlohmann::json;
+
+json bound(double x) { return std::isfinite(x) ? json(x) : json(); }
+
+py::object settings_table() {
+    json table = json::array();
+    for (const Setting& s : settings())
+        table.push_back({{"name", s.name},
+                         {"section", s.section},
+                         {"key", s.key},
+                         {"unit", s.unit},
+                         {"help", s.help},
+                         {"min", bound(s.range.min)},
+                         {"max", bound(s.range.max)},
+                         {"choices", s.choices},
+                         {"default", s.default_value()}});
+    return from_json(table);
+}
+
+py::object roles_table() {
+    json table = json::object();
+    for (const RoleInfo& role : roles()) table[std::string(role.name)] = {{"channels", role.channels}, {"help", role.help}};
+    return from_json(table);
+}
+
+py::object models_table() {
+    json table = json::object();
+    for (const ModelInfo& model : models()) {
+        json parameters = json::object();
+        for (const ModelParameter& p : model.parameters)
+            parameters[std::string(p.name)] = {{"default", p.value}, {"min", p.min}, {"max", p.max}, {"help", p.help}};
+        table[std::string(model.name)] = {
+            {"summary", model.summary}, {"source", model.source}, {"reciprocal", model.reciprocal}, {"parameters", parameters}};
+    }
+    return from_json(table);
+}
+
+py::object presets_table() {
+    json table = json::object();
+    for (const Material& preset : presets()) table[preset.name] = material_to_json(preset);
+    return from_json(table);
+}
+
+}  // namespace
+
+void bind_tables(py::module_& module) {
+    module.def("settings", settings_table);
+    module.def("roles", roles_table);
+    module.def("models", models_table);
+    module.def("presets", presets_table);
+    module.def("shot_schema", [] { return from_json(shot_schema()); });
+}
+
+}  // namespace burnish::python

@@ -1,0 +1,230 @@
+// Docstrings of the compiled classes, numpydoc. Shapes, units and errors are stated here once; _core.pyi has the types.
+#pragma once
+
+namespace burnish::python::docs {
+
+inline constexpr const char* Environment = R"(Distant light: an environment map and its pyramid.
+
+Directions are in the light's own axes; turn a world direction w with ``w @ world_to_light``. Radiance is linear RGB, without
+`gain`.
+
+Parameters
+----------
+source : str or os.PathLike or ndarray or Environment
+    Environment map: a file, or a picture of shape (height, width, 3), lat-long or a layout of cube faces.
+**settings
+    Settings that start with env, and up.
+
+Attributes
+----------
+world_to_light : ndarray, shape (3, 3)
+    World direction (a row) to light axes.
+gain : tuple of 3 floats
+    Scale times tint, which the overlay is multiplied with.
+face_size, level_count : int
+    Texels along a cube face of the finest level; number of levels.
+notes, warnings : list of str
+    What was found and what was scrubbed.
+
+Raises
+------
+ReadFailed
+    The file is absent, corrupt or no picture.
+BadArgument
+    A setting is unknown or out of range.)";
+
+inline constexpr const char* Environment_radiance = R"(Unfiltered radiance.
+
+Parameters
+----------
+d : ndarray, shape (n, 3)
+    Unit directions in light axes.
+
+Returns
+-------
+ndarray, shape (n, 3), float32
+    Linear RGB.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* Environment_lookup = R"(Radiance filtered to a level of the pyramid, trilinear.
+
+Parameters
+----------
+d : ndarray, shape (n, 3)
+    Unit directions in light axes.
+level : float or ndarray, shape (n,)
+    0 is the finest level.
+
+Returns
+-------
+ndarray, shape (n, 3), float32
+    Linear RGB.
+
+Raises
+------
+SizeMismatch
+    The shapes do not fit.)";
+
+inline constexpr const char* Environment_level = R"(The level at which a texel covers a solid angle.
+
+Parameters
+----------
+d : ndarray, shape (n, 3)
+    Unit directions in light axes.
+solid_angle : float
+    Steradian.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Level; may be negative.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* Environment_sample = R"(Draw directions with density proportional to luminance.
+
+Parameters
+----------
+u : ndarray, shape (n, 2)
+    Numbers in [0, 1).
+
+Returns
+-------
+d : ndarray, shape (n, 3), float32
+    Unit directions in light axes.
+pdf : ndarray, shape (n,), float32
+    Per steradian.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* Environment_pdf = R"(Density of `sample`.
+
+Parameters
+----------
+d : ndarray, shape (n, 3)
+    Unit directions in light axes.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Per steradian.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* Lobe =
+    R"(One lobe of a material, free of tint and strength, on arrays of local directions (z along the normal).
+
+Parameters
+----------
+description : dict
+    A lobe as the shot file spells it, e.g. {"model": "ggx", "mx": 0.1, "my": 0.1}.
+
+Raises
+------
+BadArgument
+    A field is unknown or out of range.)";
+
+inline constexpr const char* Lobe_eval = R"(The reflectance f, Fresnel included, without the cosine.
+
+Parameters
+----------
+wo, wi : ndarray, shape (n, 3)
+    Unit directions to the viewer and to the light.
+
+Returns
+-------
+ndarray, shape (n, 3), float32
+    Per steradian and colour channel; 0 where a direction is on the wrong side.
+
+Raises
+------
+SizeMismatch
+    The shapes differ.)";
+
+inline constexpr const char* Lobe_pdf = R"(Density of `sample` in solid angle of wi.
+
+Parameters
+----------
+wo, wi : ndarray, shape (n, 3)
+    Unit directions to the viewer and to the light.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Per steradian.
+
+Raises
+------
+SizeMismatch
+    The shapes differ.)";
+
+inline constexpr const char* Lobe_sample = R"(Draw directions to the light.
+
+Parameters
+----------
+wo : ndarray, shape (n, 3)
+    Unit directions to the viewer.
+u : ndarray, shape (n, 2)
+    Numbers in [0, 1).
+
+Returns
+-------
+ndarray, shape (n, 3), float32
+    Unit directions wi; below the surface where the draw missed.
+
+Raises
+------
+SizeMismatch
+    The shapes differ.)";
+
+inline constexpr const char* Lobe_D = R"(Density of microfacet normals.
+
+Parameters
+----------
+wm : ndarray, shape (n, 3)
+    Unit microfacet normals.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Per steradian; D times cos(theta) integrates to 1.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* Lobe_albedo =
+    R"(Directional albedo: the share of light from everywhere that leaves along wo, tint and strength included.
+
+Parameters
+----------
+wo : ndarray, shape (n, 3)
+    Unit directions to the viewer.
+samples : int
+    Points of the quasi-Monte-Carlo estimate.
+
+Returns
+-------
+ndarray, shape (n, 3), float32
+    Unitless, per colour channel.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+}  // namespace burnish::python::docs

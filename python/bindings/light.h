@@ -1,0 +1,15 @@
+// What Python may give as a light: a path, a picture as array, an Environment, or None for the job's own.
+#pragma once
+
+#include <burnish/input/renderer.h>
+#include <burnish/job/job.h>
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+namespace burnish::python {
+
+std::shared_ptr<const Environment> light_from_python(Job& job, const pybind11::object& light, Renderer renderer);
+
+}  // namespace burnish::python

@@ -1,0 +1,307 @@
+"""burnish: the view-dependent specular overlay for rendered frames.
+
+    import burnish
+    layers = burnish.composite("beauty.exr", "studio.hdr", "chrome")
+    layers["beauty"]            # ndarray, shape (height, width, 4), float32, linear, associated alpha
+
+Arrays are (height, width, channels) or (height, width), float32, row 0 on top. Directions are unit vectors that point
+away from the surface; of a lobe they are local, z along the normal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence as _Sequence
+from os import PathLike as _PathLike
+from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
+
+from ._core import Environment, Lobe, __version__
+from . import _core, _documentation
+from .errors import (
+    BadArgument,
+    Cancelled,
+    ColorSpaceError,
+    Error,
+    MissingChannel,
+    ReadFailed,
+    SizeMismatch,
+    WriteFailed,
+)
+
+if _TYPE_CHECKING:
+    from ._core import Progress as _Progress
+    from numpy.typing import ArrayLike as _Array
+
+    _Path = str | _PathLike[str]
+
+__all__ = [
+    "BadArgument",
+    "Cancelled",
+    "ColorSpaceError",
+    "Environment",
+    "Error",
+    "Lobe",
+    "MissingChannel",
+    "ReadFailed",
+    "SizeMismatch",
+    "WriteFailed",
+    "check_energy",
+    "compare",
+    "composite",
+    "info",
+    "models",
+    "presets",
+    "roles",
+    "run",
+    "settings",
+    "shot_schema",
+]
+
+
+def run(job: dict | _Path, progress: _Progress | None = None, **settings: _Any) -> dict[str, _Any]:
+    """Run a job: read, shade, composite and write its frames.
+
+    Parameters
+    ----------
+    job : dict or str or os.PathLike
+        The shot document, or the path of a shot file (see `shot_schema`).
+    progress : callable, optional
+        ``progress(stage, done)`` with done in [0, 1] over the whole run; returning False cancels.
+    **settings
+        Settings by name; they win over the job's own.
+
+    Returns
+    -------
+    dict
+        The report: what was found, done and how long it took, frame by frame.
+
+    Raises
+    ------
+    BadArgument, MissingChannel, SizeMismatch, ReadFailed, WriteFailed, ColorSpaceError
+        What went wrong; nothing half-written is left behind.
+    Cancelled
+        `progress` returned False.
+    """
+    return _core.run(job, settings, progress)
+
+
+def composite(
+    aovs: dict | _Path,
+    light: _Path | _Array | Environment | None,
+    materials: str | dict | None = None,
+    *,
+    assign: list | dict | None = None,
+    camera: dict | _Path | _Sequence[float] | None = None,
+    progress: _Progress | None = None,
+    **settings: _Any,
+) -> dict[str, _Any]:
+    """Shade one frame in memory and composite the overlay over it.
+
+    Parameters
+    ----------
+    aovs : str or os.PathLike or dict
+        An EXR, or role name -> ndarray of shape (height, width, channels) or (height, width), float32, linear; see
+        `roles`. A beauty of four channels holds alpha in the fourth.
+    light : str or os.PathLike or ndarray or Environment
+        Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already.
+    materials : str or dict, optional
+        What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
+    assign : list or dict, optional
+        Rules as in the shot file, or material name -> mask of shape (height, width) with coverage in [0, 1]; later ones
+        win. Without it the whole frame wears the one material.
+    camera : dict or str or os.PathLike or sequence of 3 floats, optional
+        Camera JSON, its file, or the point the frame is seen from; by default as found in the frame.
+    progress : callable, optional
+        ``progress(stage, done)``, done in [0, 1]; returning False cancels.
+    **settings
+        Settings by name.
+
+    Returns
+    -------
+    dict
+        "beauty" : ndarray, shape (height, width, 4), float32, linear, associated alpha;
+        "overlay" : ndarray, shape (height, width, 3), float32, what was added;
+        "diffuse" : ndarray, shape (height, width, 3), only where the frame has no beauty;
+        "validity" : ndarray, shape (height, width), 0 where shaded, else why not (the order of the report's "pixels");
+        "samples" : ndarray, shape (height, width), lookups spent;
+        "error" : ndarray, shape (height, width), standard error, estimator "reference" only;
+        "report" : dict.
+
+    Raises
+    ------
+    BadArgument, MissingChannel, SizeMismatch, ReadFailed, ColorSpaceError
+        What went wrong.
+    Cancelled
+        `progress` returned False.
+    """
+    frame = aovs if isinstance(aovs, dict) else None
+    if frame is None:
+        settings["aovs"] = aovs
+    settings.update(_wardrobe(materials))
+    masks = assign if isinstance(assign, dict) else None
+    if masks is None and assign is not None:
+        settings["assign"] = assign
+    if camera is not None:
+        settings["camera"] = camera if isinstance(camera, (str, dict, _PathLike)) else {"position": camera}
+    return _core.composite(frame, light, masks, settings, progress)
+
+
+def _wardrobe(materials):
+    """The settings that say what `composite`'s `materials` mean."""
+    if materials is None:
+        return {}
+    if not isinstance(materials, dict):
+        return {"material": materials}
+    if "lobes" in materials or "model" in materials:
+        return {"materials": {"material": materials}, "material": "material"}
+    wardrobe = {"materials": materials}
+    if len(materials) == 1:
+        wardrobe["material"] = next(iter(materials))
+    return wardrobe
+
+
+def settings() -> list[dict[str, _Any]]:
+    """The table of settings that the command line, the shot file and Python share.
+
+    Returns
+    -------
+    list of dict
+        In the order they are shown: name, section and key in the shot file, unit, help, min, max, choices, default.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.settings()
+
+
+def roles() -> dict[str, _Any]:
+    """The roles that layers of a frame can play.
+
+    Returns
+    -------
+    dict
+        Role name -> {"channels": int, "help": str}.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.roles()
+
+
+def models() -> dict[str, _Any]:
+    """The reflectance models.
+
+    Returns
+    -------
+    dict
+        Model name -> {"summary", "source", "reciprocal", "parameters": name -> {"default", "min", "max", "help"}}.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.models()
+
+
+def presets() -> dict[str, _Any]:
+    """The built-in materials.
+
+    Returns
+    -------
+    dict
+        Name -> material, as the shot file spells it.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.presets()
+
+
+def shot_schema() -> dict[str, _Any]:
+    """The JSON schema of the shot file.
+
+    Returns
+    -------
+    dict
+        JSON Schema, draft 2020-12.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.shot_schema()
+
+
+def check_energy(material: str | dict) -> dict[str, float]:
+    """The largest directional albedo of a material; above 1 it creates energy.
+
+    Parameters
+    ----------
+    material : str or dict
+        A preset, a JSON file, or the material itself.
+
+    Returns
+    -------
+    dict
+        {"max_albedo": float, unitless, "theta_o_deg": float, degrees from the normal}.
+
+    Raises
+    ------
+    BadArgument
+        The material is unknown or has a field out of range.
+    """
+    return _core.check_energy(material)
+
+
+def info(path: _Path) -> dict[str, _Any]:
+    """What burnish sees in an EXR, and what it lacks.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The EXR.
+
+    Returns
+    -------
+    dict
+        Windows, layers, roles with the reason for each, camera, cryptomattes, notes and warnings.
+
+    Raises
+    ------
+    ReadFailed
+        The file is absent, corrupt, deep or no EXR.
+    """
+    return _core.info(path)
+
+
+def compare(a: _Array, b: _Array, mask: _Array | None = None) -> dict[str, _Any]:
+    """Measure how far picture `a` is from the reference `b`.
+
+    Parameters
+    ----------
+    a, b : ndarray, shape (height, width, channels) or (height, width), float32
+        Linear pictures of the same shape; the first three channels count.
+    mask : ndarray, shape (height, width), optional
+        Pixels above 0 are measured; by default all.
+
+    Returns
+    -------
+    dict
+        psnr_db (display encoded, dB), relative_rms, relmse, largest_error (linear), largest_at (x, y), pixels, non_finite.
+
+    Raises
+    ------
+    SizeMismatch
+        The shapes differ.
+    """
+    return _core.compare(a, b, mask)
+
+
+_documentation.add_settings(run, composite)

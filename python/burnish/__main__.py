@@ -1,0 +1,19 @@
+"""``python -m burnish`` runs the command line that was installed with the package, or the one on the PATH."""
+
+import os
+import pathlib
+import shutil
+import sys
+
+
+def main():
+    """Replace this process by the burnish program, with the same arguments."""
+    beside = pathlib.Path(__file__).parent / "bin" / "burnish"
+    program = str(beside) if beside.exists() else shutil.which("burnish")
+    if program is None:
+        sys.exit("burnish: error: E_READ_FAILED the burnish program is not on the PATH; install it with cmake --install")
+    os.execv(program, [program, *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    main()
