@@ -104,7 +104,7 @@ LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float b
     return nearest_circles(kind, samples, aspect, xi0);
 }
 
-float default_border(int samples) { return std::clamp(2.8f / samples, 0.004f, 0.5f); }
+float default_border(int samples) { return std::clamp(1.9f / samples, 0.002f, 0.4f); }
 
 LobePattern stretched(const LobePattern& pattern, const std::function<float(float xi)>& radius_of) {
     LobePattern mapped = pattern;

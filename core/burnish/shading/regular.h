@@ -12,7 +12,7 @@
 namespace burnish {
 
 /// The weighted sum of one pixel under one of the three quadratures:
-///     half_vector      a = f cos Omega              norm = sum of D(h) cos theta_h Omega_h    (Regular 17-18)
+///     half_vector      a = f cos Omega              norm = sum of D(h) Omega_h     (Regular 17-18)
 ///     energy           a = f cos^2 Omega            norm = sum of p cos Omega                 (Walkthrough 4.24)
 ///     energy_squared   a = f^2 cos^2 Omega / p      norm = sum of f cos Omega                 (Walkthrough 4.25)
 /// p is the density of wi when h is drawn from D cos theta_h. `look(wi, Omega)` gives filtered radiance.
@@ -24,8 +24,8 @@ Color3f regular_estimate(const LobeType& lobe, const LobePattern& pattern, Quadr
         const float sx = s.u * point.mx, sy = s.v * point.my, cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
         const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
         const float omega_h = s.area * point.mx * point.my * cos_h * cos_h * cos_h;
-        const float density = lobe.D(h) * cos_h;
-        if (quadrature == Quadrature::half_vector) norm += Color3f(density * omega_h);
+        const float D = lobe.D(h);
+        if (quadrature == Quadrature::half_vector) norm += Color3f(D * omega_h);
         const float wo_h = point.wo.dot(h);
         if (wo_h <= 0) continue;
         const Vec3f wi = lobe.mirrored(h * (2 * wo_h) - point.wo);
@@ -33,7 +33,7 @@ Color3f regular_estimate(const LobeType& lobe, const LobePattern& pattern, Quadr
         if (cos_i <= 0) continue;
         const float omega = 4 * wo_h * omega_h;
         Color3f weight = lobe.eval(point.wo, wi) * (cos_i * omega);
-        const float p = density / (4 * wo_h);
+        const float p = D * cos_h / (4 * wo_h);
         if (quadrature == Quadrature::energy) norm += Color3f(p * cos_i * omega), weight *= cos_i;
         if (quadrature == Quadrature::energy_squared) norm += weight, weight *= lobe.eval(point.wo, wi) * (cos_i / p);
         if (point.sees(wi, lobe.side_sign)) sum += weight * look(wi, omega);

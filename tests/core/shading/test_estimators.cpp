@@ -52,19 +52,19 @@ ShadedBatch shade(const Material& m, const Environment& light, const EstimatorSe
     return out;
 }
 
-/// Midpoint rule over the hemisphere in the half-vector's slopes, where lobes are smooth: an oracle that shares nothing
-/// with the estimators but the BRDF.
-Color3f brute_force(const LobeParameters& p, const Environment& light, const Vec3f& wo) {
+/// Midpoint rule over the hemisphere above n and ng: an oracle that shares nothing with the estimators but the BRDF.
+Color3f brute_force(const LobeParameters& p, const Environment& light, const Vec3f& wo, const Vec3f& ng = {0, 0, 1}) {
     return visit_lobe(p, [&](const auto& own) {
-        Color3f sum(0, 0, 0);
+        Imath::V3d sum(0, 0, 0);
         const int steps = 1500;
         for (int iy = 0; iy < steps; ++iy)
             for (int ix = 0; ix < steps; ++ix) {
                 const float z = 1 - (iy + 0.5f) / steps, phi = 2 * kPi * (ix + 0.5f) / steps, r = std::sqrt(1 - z * z);
                 const Vec3f wi(r * std::cos(phi), r * std::sin(phi), z * own.side_sign);
-                sum += own.eval(wo, wi) * light.radiance(wi * light.world_to_light()) * z;
+                if (ng.dot(wi) * own.side_sign <= 0) continue;
+                sum += Imath::V3d(own.eval(wo, wi) * light.radiance(wi * light.world_to_light()) * z);
             }
-        return sum * (2 * kPi / (static_cast<float>(steps) * steps));
+        return Color3f(Vec3f(sum * (2 * kPi / (static_cast<double>(steps) * steps))));
     });
 }
 
@@ -81,10 +81,12 @@ TEST(WhiteFurnace, ReferenceIsTheDirectionalAlbedo) {
     }
 }
 
-TEST(WhiteFurnace, RegularKeepsTheAlbedoUpToSixtyDegrees) {
+TEST(WhiteFurnace, PlainQuadratureKeepsTheAlbedoUpToSixtyDegrees) {
+    // The source's own setting: Beckmann normals, no shadowing (Kurt with alpha 0), F = 1.
     const Environment light = light_of(scenes::constant_light(1));
     for (const float m : {0.02f, 0.05f, 0.1f, 0.2f}) {
-        const LobeParameters p = lobe(ModelId::beckmann, m, m);
+        LobeParameters p = lobe(ModelId::kurt, m, m);
+        p.extra = {0.0f};
         EstimatorSettings plain = estimator(EstimatorKind::regular);
         plain.albedo_correction = false;
         const SurfaceBatch batch = fan(0.0f, 23);      // steps of 4 degrees
@@ -102,7 +104,7 @@ TEST(WhiteFurnace, AlbedoCorrectionHoldsAtGrazingAngles) {
                 const SurfaceBatch batch = fan(phi);
                 const ShadedBatch out = shade(material(p), light, estimator(kind), batch);
                 for (size_t i = 0; i < batch.size(); ++i)
-                    EXPECT_NEAR(out.overlay[i].y / directional_albedo(p, batch.wo[i], 1 << 14).y, 1, 0.02)
+                    EXPECT_NEAR(out.overlay[i].y / directional_albedo(p, batch.wo[i], 1 << 14).y, 1, 0.03)
                         << model_info(p.model).name << " phi " << phi << " step " << i;
             }
 }
@@ -138,14 +140,17 @@ TEST(Regular, ApproachesTheReferenceAsSamplesGrow) {
     exact.tolerance = 1e-3f;
     const ShadedBatch truth = shade(m, light, exact, batch);
     for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance}) {
-        const auto error = [&](int samples) {
-            const ShadedBatch out = shade(m, light, estimator(kind, samples), batch);
+        const auto error = [&](int samples, float border) {
+            EstimatorSettings few = estimator(kind, samples);
+            few.border = border, few.level_bias = -1;
+            const ShadedBatch out = shade(m, light, few, batch);
             double sum = 0;
             for (size_t i = 0; i < batch.size(); ++i) sum += std::abs(out.overlay[i].y - truth.overlay[i].y) / truth.overlay[i].y;
             return sum / batch.size();
         };
-        EXPECT_LT(error(300), 0.02);
-        EXPECT_LT(error(300), error(7));
+        EXPECT_LT(error(2000, 1e-4f), 0.02);
+        EXPECT_LT(error(2000, 1e-4f), 0.5 * error(61, 0));
+        EXPECT_LT(error(61, 0), error(7, 0));
     }
 }
 
@@ -176,7 +181,7 @@ TEST(Shading, TransmissionReadsTheLightBehind) {
     batch.wo.push_back(Vec3f(0.3f, 1, 0).normalized());
     for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::reference}) {
         p.side = Side::reflection;
-        EXPECT_NEAR(shade(material(p), light, estimator(kind), batch).overlay[0].y, 0, 1e-3);
+        EXPECT_NEAR(shade(material(p), light, estimator(kind), batch).overlay[0].y, 0, 0.02);
         p.side = Side::transmission;
         EXPECT_NEAR(shade(material(p), light, estimator(kind), batch).overlay[0].y, 1, 0.02);
     }
@@ -184,17 +189,19 @@ TEST(Shading, TransmissionReadsTheLightBehind) {
 
 TEST(Shading, GeometricNormalCutsTheLobe) {
     const Environment light = light_of(scenes::constant_light(1));
-    const Material m = material(lobe(ModelId::ggx, 0.3f, 0.3f));
+    const LobeParameters p = lobe(ModelId::ggx, 0.3f, 0.3f);
     SurfaceBatch batch = fan(0, 12);
-    const ShadedBatch whole = shade(m, light, estimator(EstimatorKind::reference), batch);
     batch.ng.clear();
     const Vec3f ng = Vec3f(0.5f, 0, 1).normalized();
     for (size_t i = 0; i < batch.size(); ++i) batch.ng.push_back(ng);
-    const ShadedBatch cut = shade(m, light, estimator(EstimatorKind::reference), batch);
-    const ShadedBatch cut_regular = shade(m, light, estimator(EstimatorKind::regular, 91), batch);
-    EXPECT_NEAR(cut.overlay[0].y / whole.overlay[0].y, 1, 0.05);
-    EXPECT_LT(cut.overlay[9].y, 0.6f * whole.overlay[9].y) << "the mirror direction at 72 degrees lies below the geometric horizon";
-    EXPECT_NEAR(cut_regular.overlay[7].y, cut.overlay[7].y, 0.05);
+    const ShadedBatch reference = shade(material(p), light, estimator(EstimatorKind::reference), batch);
+    const ShadedBatch regular = shade(material(p), light, estimator(EstimatorKind::regular, 91), batch);
+    for (const size_t i : {0, 6, 9}) {
+        const Color3f truth = brute_force(p, light, batch.wo[i], ng), uncut = brute_force(p, light, batch.wo[i]);
+        EXPECT_NEAR(reference.overlay[i].y, truth.y, 3e-3) << i;
+        EXPECT_NEAR(regular.overlay[i].y, truth.y, 0.05) << i;
+        if (i == 9) EXPECT_LT(truth.y, 0.8f * uncut.y);
+    }
 }
 
 TEST(Shading, ConstantLayersEqualTheLobesOwnNumbers) {
