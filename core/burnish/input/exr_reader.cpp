@@ -19,6 +19,7 @@ AovFrame empty_frame(const ExrFile& file, const std::vector<Slot>& slots, const 
     AovFrame frame;
     frame.file = file.name();
     frame.renderer = print.renderer;
+    frame.divided_by_albedo = print.renderer == Renderer::cycles;
     frame.data_window = file.data_window(part);
     frame.display_window = file.display_window();
     auto metadata = std::make_shared<Metadata>(*file.metadata(part));

@@ -8,8 +8,6 @@
 namespace burnish {
 namespace {
 
-const Image* layer_or_null(const AovFrame& frame, Role role) { return frame.has(role) ? &frame.layer(role) : nullptr; }
-
 std::optional<Camera> camera_of_header(AovFrame& frame, const Image* position, const Image* valid) {
     const float pixel_aspect = static_cast<float>(number_attribute(*frame.metadata, "PixelAspectRatio").value_or(1.0));
     std::string note;
@@ -27,8 +25,8 @@ void find_camera(AovFrame& frame, const std::function<Camera(const AovFrame&)>& 
         frame.notes.push_back("camera as given");
         return;
     }
-    const Image* position = layer_or_null(frame, Role::position);
-    const Image valid = position ? surface_mask(*position, layer_or_null(frame, Role::normal)) : Image();
+    const Image* position = frame.find(Role::position);
+    const Image valid = position ? surface_mask(*position, frame.find(Role::normal)) : Image();
     frame.camera = camera_of_header(frame, position, position ? &valid : nullptr);
     if (frame.camera || !position) {
         if (!frame.camera && frame.has(Role::depth))

@@ -25,11 +25,11 @@ Missing operator+(Missing a, const Missing& b) {
     return a;
 }
 
-/// Cycles divides its gloss passes by their colour, so the colour is needed to put them back.
+/// Passes divided by their colour (Cycles) need it back.
 Missing missing_specular(const AovFrame& frame) {
     if (!frame.has(Role::specular_direct) && !frame.has(Role::specular_indirect))
         return {"specular_direct or specular_indirect"};
-    return frame.renderer == Renderer::cycles ? missing_roles(frame, {Role::specular_albedo}) : Missing{};
+    return frame.divided_by_albedo ? missing_roles(frame, {Role::specular_albedo}) : Missing{};
 }
 
 Missing missing_diffuse(const AovFrame& frame) {

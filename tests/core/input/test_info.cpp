@@ -40,9 +40,8 @@ TEST(Info, ListsWhatIsMissingForEachJob) {
 TEST(Info, AsksForTheSpecularColourWhereTheRendererDividesByIt) {
     AovFrame frame = frame_with({Role::normal, Role::position, Role::beauty, Role::specular_direct});
     frame.camera = Camera{};
-    frame.renderer = Renderer::arnold;
     EXPECT_TRUE(missing_for(frame, "replace").empty());
-    frame.renderer = Renderer::cycles;
+    frame.divided_by_albedo = true;
     EXPECT_EQ(missing_for(frame, "replace"), (Strings{"specular_albedo"}));
 }
 

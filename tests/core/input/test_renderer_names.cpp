@@ -59,6 +59,7 @@ TEST(RendererNames, OfCyclesAreUnderstood) {
     part.attributes = {{"cycles.View Layer.samples", "128"}};
     const AovFrame frame = round_trip({part});
     EXPECT_EQ(frame.renderer, Renderer::cycles);
+    EXPECT_TRUE(frame.divided_by_albedo);
     expect_geometry(frame);
     const std::vector<Role> filled = {Role::specular_direct, Role::specular_indirect, Role::specular_albedo,
                                       Role::diffuse_direct,  Role::diffuse_indirect,  Role::diffuse_albedo,
@@ -81,6 +82,7 @@ TEST(RendererNames, OfArnoldAreUnderstoodWithSpecularAsDirectAndIndirectTogether
     part.tile = 64;
     const AovFrame frame = round_trip({part});
     EXPECT_EQ(frame.renderer, Renderer::arnold);
+    EXPECT_FALSE(frame.divided_by_albedo);
     expect_geometry(frame);
     expect_value(frame, Role::specular_direct, 1);
     EXPECT_FALSE(frame.has(Role::specular_indirect)) << "would be counted twice";
