@@ -16,26 +16,36 @@ struct ShadingPoint {
     bool sees(const Vec3f& wi, float side_sign) const { return ng.dot(wi) * side_sign > 0; }
 };
 
-/// Point i of the batch for one lobe: per-pixel layers replace the lobe's numbers where the lobe says so.
-/// world_to_light: row vector times matrix.
+/// The pixel's own widths where the lobe takes them from layers, else the lobe's.
+inline Vec2f lobe_widths(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe) {
+    const bool rough = lobe.per_pixel.roughness && !batch.roughness.empty();
+    const bool stretched = lobe.per_pixel.anisotropy && !batch.anisotropy.empty();
+    if (!rough && !stretched) return {lobe.mx, lobe.my};
+    const float m = rough ? batch.roughness[i] : std::sqrt(lobe.mx * lobe.my), ratio = std::sqrt(lobe.mx / lobe.my);
+    const Vec2f widths = stretched ? anisotropic_widths(m, batch.anisotropy[i]) : Vec2f(m * ratio, m / ratio);
+    return {std::min(widths.x, 1.0f), std::min(widths.y, 1.0f)};
+}
+
+/// The lobe's frame in the world. An isotropic lobe has no direction of its own, so its frame follows the view: what a
+/// pattern of few samples misses then depends on the view angle alone, and the albedo table knows it.
+inline Frame lobe_frame(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe, bool isotropic) {
+    if (isotropic) return Frame::along(batch.n[i], batch.wo[i]);
+    const bool turned = lobe.per_pixel.rotation && !batch.rotation.empty();
+    return Frame::along(batch.n[i], batch.t[i]).turned(turned ? batch.rotation[i] : lobe.rotation);
+}
+
+/// Point i of the batch for one lobe. world_to_light: row vector times matrix.
 inline ShadingPoint shading_point(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe, const Matrix33f& world_to_light) {
-    const PerPixel& own = lobe.per_pixel;
-    const bool turned = own.rotation && !batch.rotation.empty();
-    const Frame world = Frame::along(batch.n[i], batch.t[i]).turned(turned ? batch.rotation[i] : lobe.rotation);
+    const Vec2f widths = lobe_widths(batch, i, lobe);
+    const Frame world = lobe_frame(batch, i, lobe, widths.x == widths.y);
     ShadingPoint point;
     point.wo = world.to_local(batch.wo[i]);
     point.ng = world.to_local(batch.ng[i]);
     point.frame = {world.t * world_to_light, world.b * world_to_light, world.n * world_to_light};
-    point.mx = lobe.mx, point.my = lobe.my;
-    const bool rough = own.roughness && !batch.roughness.empty(), stretched = own.anisotropy && !batch.anisotropy.empty();
-    if (rough || stretched) {
-        const float m = rough ? batch.roughness[i] : std::sqrt(lobe.mx * lobe.my), ratio = std::sqrt(lobe.mx / lobe.my);
-        const Vec2f widths = stretched ? anisotropic_widths(m, batch.anisotropy[i]) : Vec2f(m * ratio, m / ratio);
-        point.mx = std::min(widths.x, 1.0f), point.my = std::min(widths.y, 1.0f);
-    }
+    point.mx = widths.x, point.my = widths.y;
     point.scale = lobe.tint * lobe.strength;
-    if (own.tint && !batch.tint.x.empty()) point.scale *= Color3f(batch.tint[i]);
-    if (own.weight && !batch.weight.empty()) point.scale *= batch.weight[i];
+    if (lobe.per_pixel.tint && !batch.tint.x.empty()) point.scale *= Color3f(batch.tint[i]);
+    if (lobe.per_pixel.weight && !batch.weight.empty()) point.scale *= batch.weight[i];
     return point;
 }
 

@@ -200,7 +200,7 @@ TEST(Shading, GeometricNormalCutsTheLobe) {
         const Color3f truth = brute_force(p, light, batch.wo[i], ng), uncut = brute_force(p, light, batch.wo[i]);
         EXPECT_NEAR(reference.overlay[i].y, truth.y, 3e-3) << i;
         EXPECT_NEAR(regular.overlay[i].y, truth.y, 0.05) << i;
-        if (i == 9) EXPECT_LT(truth.y, 0.8f * uncut.y);
+        if (i == 9) { EXPECT_LT(truth.y, 0.8f * uncut.y); }
     }
 }
 
