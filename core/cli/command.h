@@ -16,5 +16,6 @@ Run add_info(CLI::App& app);
 Run add_envmap(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_models(CLI::App& app);
+Run add_demo(CLI::App& app);
 
 }  // namespace burnish::cli

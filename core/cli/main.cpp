@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
     commands["envmap"] = cli::add_envmap(app);
     commands["compare"] = cli::add_compare(app);
     commands["models"] = cli::add_models(app);
+    commands["demo"] = cli::add_demo(app);
 
     if (argc > 1 && argv[1][0] != '-' && commands.count(argv[1]) == 0)
         return run_guarded([&] { return cli::run_external(argv + 1, commands); });

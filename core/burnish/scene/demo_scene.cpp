@@ -66,10 +66,10 @@ Scene make_demo_scene() {
     b.add("vase_aluminium", "brushed-aluminium", {0.05f, 0.05f, 0.052f}, 0.4f, placed(vase(), {{1.02f, 0.55f, 0}}));
     b.add("bowl_porcelain", "porcelain", {0.60f, 0.58f, 0.54f}, 0.2f, placed(bowl(), {{1.05f, -0.95f, 0}}));
     b.add("box_lacquer", "lacquer", {0.012f, 0.03f, 0.10f}, 0.2f,
-          placed(make_box({0.36f, 0.30f, 0.26f}, 0.04f, 8), {{2.05f, 0.15f, 0.26f}, 32}));
+          placed(make_box({0.36f, 0.30f, 0.26f}, 0.04f, 8), {{2.02f, 0.20f, 0.26f}, 32}));
     b.add("ball_copper", "copper", {0.06f, 0.03f, 0.02f}, 0.3f, placed(make_sphere(0.17f, 192), {{-0.62f, -1.35f, 0.17f}}));
     b.add("ball_plastic", "plastic-gloss", {0.55f, 0.22f, 0.01f}, 0.2f,
-          placed(make_sphere(0.20f, 192), {{2.02f, -0.95f, 0.20f}}));
+          placed(make_sphere(0.20f, 192), {{1.86f, -0.98f, 0.20f}}));
     b.add("ring_rubber", "rubber", {0.03f, 0.10f, 0.08f}, 0.7f,
           placed(make_torus_knot(1, 0, 0.19f, 0.075f, 256, 64), {{0.42f, -1.55f, 0.075f}}));
     b.add("pane_glass", "frosted-glass", {0.03f, 0.06f, 0.06f}, 0.5f,

@@ -7,8 +7,8 @@ namespace burnish {
 namespace {
 
 constexpr float kSunRadius = 0.75f * kPi / 180;
-constexpr Color3f kSun{5600.0f, 4700.0f, 3500.0f}, kZenith{0.12f, 0.20f, 0.38f}, kHorizon{0.90f, 0.83f, 0.74f};
-constexpr Color3f kGlow{1.0f, 0.80f, 0.55f}, kHills{0.07f, 0.12f, 0.19f};
+constexpr Color3f kSun{5600.0f, 4700.0f, 3500.0f}, kZenith{0.11f, 0.20f, 0.41f}, kHorizon{0.86f, 0.84f, 0.80f};
+constexpr Color3f kGlow{1.0f, 0.80f, 0.55f}, kHills{0.07f, 0.12f, 0.18f};
 
 float smooth_step(float edge0, float edge1, float x) {
     const float t = std::clamp((x - edge0) / (edge1 - edge0), 0.0f, 1.0f);
