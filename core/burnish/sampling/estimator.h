@@ -19,7 +19,7 @@ struct EstimatorSettings {
     PatternKind pattern = PatternKind::automatic;
     float border = 0.0f;                     // xi0: where the lobe ends, D relative to its peak, (0, 1); 0 = by sample count
     Quadrature quadrature = Quadrature::half_vector;
-    float level_bias = -0.5f;                // MIP levels added to the footprint rule
+    float level_bias = -0.9f;                // MIP levels added to the footprint rule
     bool albedo_correction = true;           // tabulated true / estimated albedo, the cure for grazing angles
     float tolerance = 0.005f;                // reference: stop at this standard error, relative to the pixel's mean
     int max_samples = 16384;                 // reference: sample cap per pixel

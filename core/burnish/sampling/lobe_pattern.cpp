@@ -15,13 +15,13 @@ constexpr float kExtremeAspect = 8.0f;      // beyond it a line covers the lobe 
 
 double border_radius(float border) { return std::sqrt(-std::log(static_cast<double>(border))); }
 
-/// Samples of one circle of radius r about the wider axis, in normalised slopes of a lobe with this aspect.
-LobePattern circle(double r, int count, double turn, float aspect) {
+/// Samples of one circle of radius r about the wider axis, in normalised slopes of a lobe with this aspect; they share `area`.
+LobePattern circle(double r, int count, double turn, float aspect, double area) {
     LobePattern samples;
     const double wide = std::max(aspect, 1.0f), tall = std::max(1.0f / aspect, 1.0f);   // max(m) / mx is `tall`
     for (int k = 0; k < count; ++k) {
         const double phi = kPi2 * (k + turn) / count;
-        samples.push_back({static_cast<float>(r * std::cos(phi) * tall), static_cast<float>(r * std::sin(phi) * wide), 0});
+        samples.push_back({static_cast<float>(r * std::cos(phi) * tall), static_cast<float>(r * std::sin(phi) * wide), static_cast<float>(area / count)});
     }
     return samples;
 }
@@ -34,16 +34,35 @@ double keep_within(LobePattern& samples, double radius) {
     return sum;
 }
 
-/// Shares the lobe's area out equally, as the source does.
-LobePattern with_equal_areas(LobePattern pattern, double radius) {
-    const float area = static_cast<float>(std::numbers::pi * radius * radius / pattern.size());
-    for (PatternSample& s : pattern) s.area = area;
+/// Scales the areas so that they fill the disc of this radius.
+LobePattern filling(LobePattern pattern, double radius) {
+    double total = 0;
+    for (const PatternSample& s : pattern) total += s.area;
+    for (PatternSample& s : pattern) s.area *= static_cast<float>(std::numbers::pi * radius * radius / total);
     return pattern;
 }
 
+/// Maps the Gaussian radii w to the lobe's own; areas follow.
+LobePattern stretched(LobePattern pattern, const RadiusOf& radius_of) {
+    for (PatternSample& s : pattern) {
+        const float r2 = s.u * s.u + s.v * s.v, r = std::sqrt(r2);
+        const float low = std::max(r - 0.01f, 0.0f), high = r + 0.01f;
+        const float inner = radius_of(std::exp(-low * low)), outer = radius_of(std::exp(-high * high));
+        const float scale = r > 1e-4f ? radius_of(std::exp(-r2)) / r : outer / high;
+        s.area *= (outer * outer - inner * inner) / (high * high - low * low);
+        s.u *= scale, s.v *= scale;
+    }
+    return pattern;
+}
+
+/// Length of the circle of Gaussian radius w in units of the spacing there, up to a factor: r / (dr/dw); w itself for Gaussian lobes.
+double relative_length(double w, const RadiusOf& radius_of) {
+    const auto radius = [&](double at) { return static_cast<double>(radius_of(static_cast<float>(std::exp(-at * at)))); };
+    return 0.02 * radius(w) / (radius(w + 0.01) - radius(w - 0.01));
+}
 
 /// The circles whose count comes nearest to `samples`; earlier candidates win ties.
-LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float border) {
+LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
     constexpr std::array<int, 3> with_centre{6, 5, 7}, without_centre{4, 5, 3};     // the source's own first
     LobePattern best;
     const auto distance = [&](const LobePattern& p) { return std::abs(static_cast<int>(p.size()) - samples); };
@@ -52,7 +71,7 @@ LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float b
         for (const int first : centred ? with_centre : without_centre) {
             int count = 0;
             for (int circles = 1; count < samples && circles < kMaxCircles; ++circles) {
-                LobePattern pattern = circle_pattern(circles, first, centred, aspect, border);
+                LobePattern pattern = circle_pattern(circles, first, centred, aspect, border, radius_of);
                 count = static_cast<int>(pattern.size());
                 if (best.empty() || distance(pattern) < distance(best)) best = std::move(pattern);
             }
@@ -63,29 +82,31 @@ LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float b
 
 }  // namespace
 
-LobePattern circle_pattern(int circles, int first, bool centred, float aspect, float border) {
+LobePattern circle_pattern(int circles, int first, bool centred, float aspect, float border, const RadiusOf& radius_of) {
     const double radius = border_radius(border), first_radius = centred ? 1.0 : std::numbers::sqrt2 / 2;
     const double spacing = radius / (centred ? circles - 0.5 : circles - 0.5 + first_radius);
     LobePattern pattern;
-    if (centred) pattern.push_back({0, 0, 0});
+    if (centred) pattern.push_back({0, 0, static_cast<float>(std::numbers::pi * spacing * spacing / 4)});
     for (int i = 0; i < (centred ? circles - 1 : circles); ++i) {
-        const double r = first_radius + i;
-        const int count = i == 0 ? first : 2 * static_cast<int>(std::floor(first * r / (2 * first_radius) + 0.5));
-        LobePattern straight = circle(r * spacing, count, 0.0, aspect), turned = circle(r * spacing, count, 0.5, aspect);
+        const double w = (first_radius + i) * spacing, area = kPi2 * w * spacing;
+        const double length = relative_length(w, radius_of) / relative_length(first_radius * spacing, radius_of);
+        const int count = i == 0 ? first : 2 * static_cast<int>(std::floor(first * length / 2 + 0.5));
+        LobePattern straight = circle(w, count, 0.0, aspect, area), turned = circle(w, count, 0.5, aspect, area);
         const double straight_sum = keep_within(straight, radius), turned_sum = keep_within(turned, radius);
         const LobePattern& kept = turned_sum > straight_sum * (1 + 1e-6) ? turned : straight;
         pattern.insert(pattern.end(), kept.begin(), kept.end());
     }
-    return with_equal_areas(std::move(pattern), radius);
+    return stretched(filling(std::move(pattern), radius), radius_of);
 }
 
-LobePattern ring_pattern(int n, float border) {
-    LobePattern pattern = circle(border_radius(0.6f), n - 1, 0.0, 1.0f);
-    pattern.insert(pattern.begin(), {0, 0, 0});
-    return with_equal_areas(std::move(pattern), border_radius(border));
+LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of) {
+    const double radius = border_radius(border), area = std::numbers::pi * radius * radius / n;
+    LobePattern pattern = circle(border_radius(0.6f), n - 1, 0.0, 1.0f, area * (n - 1));
+    pattern.insert(pattern.begin(), {0, 0, static_cast<float>(area)});
+    return stretched(std::move(pattern), radius_of);
 }
 
-LobePattern line_pattern(int n, float aspect, float border) {
+LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of) {
     const double radius = border_radius(border), step = 2 * radius / n;
     const float area = static_cast<float>(step * std::sqrt(std::numbers::pi));    // the narrow profile exp(-v^2) has this width
     LobePattern pattern;
@@ -93,30 +114,20 @@ LobePattern line_pattern(int n, float aspect, float border) {
         const float along = static_cast<float>(-radius + (k + 0.5) * step);
         pattern.push_back(aspect >= 1 ? PatternSample{along, 0, area} : PatternSample{0, along, area});
     }
-    return pattern;
+    return stretched(std::move(pattern), radius_of);
 }
 
-LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border) {
-    const float xi0 = border > 0 ? border : default_border(samples);
+LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
     if (kind == PatternKind::automatic && std::max(aspect, 1 / aspect) > kExtremeAspect) kind = PatternKind::line;
-    if (kind == PatternKind::ring) return ring_pattern(std::max(samples, 2), xi0);
-    if (kind == PatternKind::line) return line_pattern(samples, aspect, xi0);
-    return nearest_circles(kind, samples, aspect, xi0);
+    const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;      // a line reaches further with the same count
+    const float xi0 = border > 0 ? border : default_border(rings_worth);
+    if (kind == PatternKind::ring) return ring_pattern(std::max(samples, 2), xi0, radius_of);
+    if (kind == PatternKind::line) return line_pattern(samples, aspect, xi0, radius_of);
+    return nearest_circles(kind, samples, aspect, xi0, radius_of);
 }
 
-float default_border(int samples) { return std::clamp(1.9f / samples, 0.002f, 0.4f); }
+float gaussian_radius(float xi) { return std::sqrt(-std::log(xi)); }
 
-LobePattern stretched(const LobePattern& pattern, const std::function<float(float xi)>& radius_of) {
-    LobePattern mapped = pattern;
-    for (PatternSample& s : mapped) {
-        const float r2 = s.u * s.u + s.v * s.v, r = std::sqrt(r2);
-        const float low = std::max(r - 0.01f, 0.0f), high = r + 0.01f;
-        const float inner = radius_of(std::exp(-low * low)), outer = radius_of(std::exp(-high * high));
-        const float scale = r > 1e-4f ? radius_of(std::exp(-r2)) / r : outer / high;
-        s.area *= (outer * outer - inner * inner) / (high * high - low * low);
-        s.u *= scale, s.v *= scale;
-    }
-    return mapped;
-}
+float default_border(int samples) { return std::clamp(0.85f / samples, 0.001f, 0.4f); }
 
 }  // namespace burnish

@@ -14,8 +14,9 @@ constexpr int kStepsPerOctave = 4, kOctaves = 6;      // covers aspects 1:64 to 
 
 PatternBank::PatternBank(const LobeParameters& parameters, const EstimatorSettings& settings) {
     const auto make = [&](float aspect) {
-        const LobePattern pattern = regular_pattern(settings.pattern, settings.samples, aspect, settings.border);
-        return visit_lobe(parameters, [&](const auto& lobe) { return stretched(pattern, [&](float xi) { return lobe.border(xi); }); });
+        return visit_lobe(parameters, [&](const auto& lobe) {
+            return regular_pattern(settings.pattern, settings.samples, aspect, settings.border, [&](float xi) { return lobe.border(xi); });
+        });
     };
     if (!parameters.per_pixel.anisotropy) {
         m_patterns.push_back(make(parameters.mx / parameters.my));
