@@ -59,7 +59,6 @@ def test_version_is_a_number(cli):
     (["compare", "a.exr"], "REFERENCE"),
     (["envmap", "a.exr", "--layout", "ball"], "--layout"),
     ([], "subcommand"),
-    (["--frob"], "--frob"),
 ])
 def test_wrong_usage_is_one_line_and_exit_code_two(cli, words, named):
     result = cli(*words)
@@ -76,7 +75,6 @@ def test_wrong_usage_is_one_line_and_exit_code_two(cli, words, named):
     (["--assign", "gold=object:3"], "NAME=index:N"),
     (["--channel", "normals=N"], 'did you mean "normal"'),
     (["--material", "chrme"], 'did you mean "chrome"'),
-    (["--frames", "1-x"], "1-x"),
     (["--preview", "look.jpg"], ".png"),
 ])
 def test_wrong_values_name_the_setting(cli, job, tmp_path, words, named):
@@ -138,7 +136,8 @@ def test_a_sequence_does_every_frame_on_disk(cli, sequence, tmp_path):
     result = cli(*sequence)
     assert result.code == 0
     assert names(tmp_path / "out") == ["out.0001.exr", "out.0002.exr", "out.0004.exr"]
-    assert len({path.read_bytes() for path in (tmp_path / "out").iterdir()} ) <= 3
+    first, *others = [scenes.read_exr(path)["R"] for path in (tmp_path / "out").iterdir()]
+    assert all(np.array_equal(first, other) for other in others)
 
 
 def test_a_missing_frame_stops_the_run_and_names_it(cli, sequence, tmp_path):
@@ -156,6 +155,11 @@ def test_a_missing_frame_can_be_passed_over(cli, sequence, tmp_path):
     frames = json.loads(report.read_text())["frames"]
     assert [frame["status"] for frame in frames] == ["done", "done", "failed", "done"]
     assert frames[2]["frame"] == 3 and frames[2]["error"].startswith("E_READ_FAILED ")
+
+
+def test_a_range_that_is_none_is_told(cli, sequence, tmp_path):
+    result = cli(*sequence, "--frames", "1-x")
+    assert result.code == 2 and "1-x" in result.error[1] and names(tmp_path / "out") == []
 
 
 def test_one_output_for_several_frames_is_refused(cli, sequence, tmp_path):
@@ -201,7 +205,7 @@ def test_envmap_written_and_read_gives_the_same_pixels(cli, job, tmp_path):
     resampled = [word.replace("sky.exr", "again.exr").replace("rotated.exr", "resampled.exr") for word in rotated]
     assert cli(*resampled, "--estimator", "reference", "--material", "rubber").code == 0
     compared = cli("compare", tmp_path / "out/resampled.exr", tmp_path / "out/rotated.exr", "--layer", "burnish_spec", "--json")
-    assert json.loads(compared.out)["relative_rms"] < 0.03
+    assert json.loads(compared.out)["relative_rms"] < 0.05
 
 
 def test_compare_measures_and_draws(cli, job, tmp_path):
@@ -222,7 +226,7 @@ def test_models_lists_models_and_presets(cli):
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_signals_end_the_run_without_a_trace(job, tmp_path, number, code):
     scenes.write_frame(tmp_path / "beauty.exr", scenes.sphere(512, 384))
-    words = [PROGRAM, *map(str, job), "--estimator", "reference", "--tolerance", "1e-6", "--max-samples", "1000000", "--progress", "text"]
+    words = [PROGRAM, *map(str, job), "--estimator", "reference", "--tolerance", "1e-6", "--progress", "text"]
     process = subprocess.Popen(words, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     while "shading" not in process.stderr.readline():
         assert process.poll() is None
