@@ -28,6 +28,7 @@ void draw_bar(const std::string& stage, int percent) {
 void catch_signals() {
     std::signal(SIGINT, remember);
     std::signal(SIGTERM, remember);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit then fails the write, which cleans up, instead of the process
 }
 
 int caught_signal() { return g_signal; }

@@ -1,5 +1,6 @@
 #include <burnish/job/run_frame.h>
 
+#include <burnish/base/error.h>
 #include <burnish/job/stages.h>
 
 #include <algorithm>
@@ -57,6 +58,11 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, c
     FrameReport& report = result.report;
     describe(frame, report);
     const bool difference = !look.old_shaders.empty();
+    const Window& window = frame.data_window;
+    if (given && (given->width != window.width || given->height != window.height))
+        throw Error(ErrorCode::size_mismatch, "assign: the masks are " + std::to_string(given->width) + "x" +
+                                                  std::to_string(given->height) + ", the frame is " +
+                                                  std::to_string(window.width) + "x" + std::to_string(window.height));
     const Assignment assignment = given ? *given : assign_rules(frame, look.wardrobe.rules);
     const Surfaces surfaces = timed(report.seconds, "surface", [&] { return Surfaces(frame, assignment, job.surface); });
     count_pixels(surfaces, assignment, look, report);

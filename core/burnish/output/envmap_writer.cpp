@@ -3,10 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/light/latlong.h>
-#include <burnish/output/atomic_file.h>
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <burnish/output/exr_pixels.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -54,23 +51,15 @@ Image envmap_picture(const Environment& light, UpAxis up, EnvmapLayout layout, i
 }
 
 void write_envmap(const std::string& file, const Image& picture, EnvmapLayout layout) {
-    constexpr float kLargestHalf = 65504.0f;
     if (std::filesystem::path(file).extension() != ".exr")
         throw Error(ErrorCode::bad_argument, file + ": environment maps are written as EXR; end the name in .exr");
     OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeHalf);
     spec.attribute("compression", "zip");
-    spec.attribute("DateTime", 0);  // keeps OpenImageIO from stamping the time: same job, same bits
     spec.attribute("textureformat", layout == EnvmapLayout::latlong ? "LatLong Environment" : "CubeFace Environment");
+    spec.attribute("openexr:levelmode", 0);  // one level; else OpenImageIO waits for more of them after close()
     spec.attribute("oiio:updirection", "y");
-    Image clamped = picture;
-    for (float& value : clamped.data) value = std::min(value, kLargestHalf);
-    AtomicFile target(file);
-    OIIO::Filesystem::IOFile stream(target.handle(), OIIO::Filesystem::IOProxy::Write);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr", &stream);
-    if (!output || !output->open(file, spec)) target.fail(output ? output->geterror() : OIIO::geterror());
-    if (!output->write_image(OIIO::TypeFloat, clamped.data.data())) target.fail(output->geterror());
-    if (!output->close()) target.fail(output->geterror());
-    target.commit();
+    spec.attribute("DateTime", "");  // else OpenImageIO stamps the time of writing: same job, same bits
+    write_layers(file, spec, {{{"R", "G", "B"}, &picture}});
 }
 
 }  // namespace burnish
