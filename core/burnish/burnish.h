@@ -40,7 +40,9 @@
 #include <burnish/output/preview.h>
 #include <burnish/output/report.h>
 
+#include <burnish/job/color_flow.h>
 #include <burnish/job/job.h>
+#include <burnish/job/look.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/run.h>
 #include <burnish/job/run_frame.h>
