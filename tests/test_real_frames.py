@@ -39,25 +39,37 @@ def rendered(path):
     return rgb["GlossCol"] * (rgb["GlossDir"] + rgb["GlossInd"]), layers["IndexMA.X"]
 
 
-def psnr_by_material(spheres, **settings):
-    """Display PSNR of the overlay against Cycles, material by material."""
+def interior(index, value, margin=2):
+    """Pixels whose whole (2 margin + 1)^2 neighbourhood wears the material."""
+    inside = np.pad(index == value, margin)
+    windows = np.lib.stride_tricks.sliding_window_view(inside, (2 * margin + 1, 2 * margin + 1))
+    return windows.all((2, 3))
+
+
+def against_cycles(spheres, **settings):
+    """Display PSNR and ratio of means of the overlay to Cycles' specular, interior pixels, material by material."""
     specular, index = rendered(spheres["aovs"])
     layers = burnish.composite(**spheres, **settings)
     assert layers["report"]["warnings"] == []
-    masks = {rule["material"]: (index == rule["material_index"]) & (layers["validity"] == 0) for rule in spheres["assign"]}
-    return {name: burnish.compare(layers["overlay"], specular, mask)["psnr_db"] for name, mask in masks.items()}
+    measured = {}
+    for rule in spheres["assign"]:
+        mask = interior(index, rule["material_index"])
+        ratio = layers["overlay"][mask].mean(0) / specular[mask].mean(0)
+        measured[rule["material"]] = burnish.compare(layers["overlay"], specular, mask)["psnr_db"], ratio
+    return measured
 
 
 def test_the_reference_is_the_specular_that_cycles_renders(spheres):
-    """Measured: 40 to 55 dB, of which Cycles' own noise is a part."""
-    measured = psnr_by_material(spheres, estimator="reference", tolerance=0.02, max_samples=1024)
-    assert min(measured.values()) > 39, measured
+    """Measured at 2048 lookups a pixel: 44.2 to 59.8 dB, means within 0.42 %; Cycles' own noise is a part of it."""
+    for name, (psnr_db, ratio) in against_cycles(spheres, estimator="reference", tolerance=0.05, max_samples=2048).items():
+        assert psnr_db > 43, name
+        assert np.abs(ratio - 1).max() < 0.01, name
 
 
-def test_few_filtered_lookups_come_near_it(spheres):
-    """Bounds a few dB below what was measured when the estimators were written; long tails and long lobes are the hard ones."""
-    measured = psnr_by_material(spheres, samples=64)
-    assert min(measured.values()) > 27 and measured["beckmann_a001"] > 45, measured
+def test_nineteen_filtered_lookups_come_near_it(spheres):
+    """Measured: 35.1 to 52.2 dB; 33.5 and 34.3 dB on the two anisotropic spheres, 1:11."""
+    for name, (psnr_db, _) in against_cycles(spheres, samples=19).items():
+        assert psnr_db > (33 if name.startswith("aniso") else 34.8), name
 
 
 def test_replacing_the_specular_by_its_equal_changes_little(spheres):
@@ -80,21 +92,6 @@ def test_a_sequence_with_depth_and_a_camera_a_frame(data, tmp_path):
         assert frame["camera"] == "json" and frame["pixels"]["valid"] > 10000
     first, second = (scenes.read_exr(tmp_path / f"out.{n:04d}.exr")["burnish_spec.G"] for n in (1, 2))
     assert not np.array_equal(first, second) and np.isfinite(first).all()
-
-
-def test_output_keeps_windows_and_metadata(data, tmp_path, cli):
-    import OpenImageIO as oiio
-
-    source = data("public/exr_aov/cornellBox_CryptoWildcard.0001.exr")
-    camera = json.dumps({"position": [0, -10, 5], "look_at": [0, 0, 0], "up": [0, 0, 1], "fov_x_deg": 45})
-    result = cli("composite", source, "--env", data("public/env/lebombo_1k.hdr"), "--material", "chrome", "--camera", camera,
-                 "-o", tmp_path / "out.exr")
-    if result.code:
-        assert result.error[0] == "E_MISSING_CHANNEL"
-        pytest.skip("the frame has neither position nor depth: " + result.error[1][:120])
-    before, after = oiio.ImageBuf(str(source)).spec(), oiio.ImageBuf(str(tmp_path / "out.exr")).spec()
-    for name in ("x", "y", "width", "height", "full_x", "full_y", "full_width", "full_height"):
-        assert getattr(before, name) == getattr(after, name)
 
 
 def test_cameras_agree_whether_given_or_recovered(spheres, data):
