@@ -11,10 +11,12 @@ const Image& AovFrame::layer(Role role) const {
     std::string aliases;
     for (const std::string_view alias : info.aliases)
         if (!alias.empty()) aliases += (aliases.empty() ? "" : ", ") + std::string(alias);
-    std::string has = metadata ? metadata->layers : "";
-    throw Error(ErrorCode::missing_channel, (file.empty() ? "frame" : file) + ": no " + name + " layer (" +
-                                                std::string(info.help) + "); looked for " + aliases + "; the file has " +
-                                                (has.empty() ? "none" : has) + "; name it with --channel " + name + "=NAME");
+    const bool camera_helps = role == Role::position && find(Role::depth);
+    const std::string has = metadata ? metadata->layers : "";
+    throw Error(ErrorCode::missing_channel,
+                (file.empty() ? "frame" : file) + ": no " + name + " layer (" + std::string(info.help) + "); looked for " +
+                    aliases + "; the file has " + (has.empty() ? "none" : has) + "; name it with --channel " + name + "=NAME" +
+                    (camera_helps ? ", or give a camera for the depth there is: --camera FILE" : ""));
 }
 
 }  // namespace burnish

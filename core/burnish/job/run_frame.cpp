@@ -29,6 +29,12 @@ void count_pixels(const Surfaces& surfaces, const Assignment& assignment, const 
     for (const AssignRule& rule : look.wardrobe.rules) report.materials.emplace_back(rule.material, 0);
     for (size_t i = 0; i < assignment.rule.size(); ++i)
         if (surfaces.validity(i) == Validity::valid) ++report.materials[static_cast<size_t>(assignment.rule[i])].second;
+    for (size_t rule = 0; rule < look.wardrobe.rules.size(); ++rule) {
+        const AssignRule& r = look.wardrobe.rules[rule];
+        const bool selects = r.object_index || r.material_index || !r.cryptomatte.empty();
+        if (selects && assignment.counts[rule] == 0)
+            report.warnings.push_back("the rule for material '" + r.material + "' finds no pixel of its own");
+    }
     const size_t broken = surfaces.counts()[static_cast<size_t>(Validity::not_finite)];
     if (broken > 0)
         report.warnings.push_back(std::to_string(broken) + " pixels hold NaN or infinity in P or N and are left as they were");
