@@ -30,9 +30,8 @@ const std::map<std::string, PyramidKernel> kKernels{
     {"box2", PyramidKernel::box2}, {"binomial4", PyramidKernel::binomial4}, {"binomial6", PyramidKernel::binomial6}};
 const std::map<std::string, EstimatorKind> kEstimators{{"regular", EstimatorKind::regular},
                                                        {"filtered_importance", EstimatorKind::filtered_importance}};
-const std::map<std::string, Quadrature> kQuadratures{{"half_vector", Quadrature::half_vector},
-                                                     {"energy", Quadrature::energy},
-                                                     {"energy_squared", Quadrature::energy_squared}};
+const std::map<std::string, Quadrature> kQuadratures{
+    {"half_vector", Quadrature::half_vector}, {"energy", Quadrature::energy}, {"energy_squared", Quadrature::energy_squared}};
 const std::map<std::string, PatternKind> kPatterns{{"automatic", PatternKind::automatic},
                                                    {"circles", PatternKind::circles},
                                                    {"offset_circles", PatternKind::offset_circles},
@@ -53,7 +52,9 @@ double relative_rms(const Image& image, const Image& reference, const Image& sam
 class Bench {
 public:
     explicit Bench(const Sweep& sweep)
-        : m_sweep(sweep), m_frame(scenes::sphere_frame(sweep.size)), m_assignment(scenes::whole_frame(m_frame)),
+        : m_sweep(sweep),
+          m_frame(scenes::sphere_frame(sweep.size)),
+          m_assignment(scenes::whole_frame(m_frame)),
           m_surfaces(m_frame, m_assignment, {}) {
         EnvironmentSettings settings;
         settings.face_size = sweep.face_size, settings.kernel = kKernels.at(sweep.kernel);
@@ -89,15 +90,18 @@ private:
                             EstimatorSettings settings;
                             settings.kind = kEstimators.at(name), settings.samples = samples, settings.level_bias = bias;
                             settings.border = border, settings.albedo_correction = !m_sweep.uncorrected;
-                            if (regular) settings.quadrature = kQuadratures.at(quadrature), settings.pattern = kPatterns.at(pattern);
+                            if (regular)
+                                settings.quadrature = kQuadratures.at(quadrature), settings.pattern = kPatterns.at(pattern);
                             double error = 0, lookups = 0;
                             for (size_t i = 0; i < m_lights.size(); ++i) {
                                 const ShadedFrame result = shade(m_lights[i], settings);
-                                error += relative_rms(result.overlay, m_references[i].overlay, m_references[i].samples) / m_lights.size();
+                                error += relative_rms(result.overlay, m_references[i].overlay, m_references[i].samples) /
+                                         m_lights.size();
                                 lookups = *std::max_element(result.samples.data.begin(), result.samples.data.end());
                             }
-                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f\n", m_sweep.model.c_str(), lobe.mx, lobe.my, name.c_str(),
-                                        quadrature.c_str(), pattern.c_str(), samples, lookups, border, bias, !m_sweep.uncorrected, error);
+                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f\n", m_sweep.model.c_str(), lobe.mx, lobe.my,
+                                        name.c_str(), quadrature.c_str(), pattern.c_str(), samples, lookups, border, bias,
+                                        !m_sweep.uncorrected, error);
                             std::fflush(stdout);
                         }
     }
@@ -127,8 +131,12 @@ int main(int argc, char** argv) {
     app.add_option("--biases", sweep.biases, "level biases")->delimiter(',')->capture_default_str();
     app.add_option("--borders", sweep.borders, "xi0; 0 = default")->delimiter(',')->capture_default_str();
     app.add_option("--estimators", sweep.estimators, "regular, filtered_importance")->delimiter(',')->capture_default_str();
-    app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")->delimiter(',')->capture_default_str();
-    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, line")->delimiter(',')->capture_default_str();
+    app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")
+        ->delimiter(',')
+        ->capture_default_str();
+    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, line")
+        ->delimiter(',')
+        ->capture_default_str();
     app.add_flag("--uncorrected", sweep.uncorrected, "without the albedo correction");
     CLI11_PARSE(app, argc, argv);
     std::puts("model,mx,my,estimator,quadrature,pattern,samples,lookups,border,level_bias,corrected,relative_rms");

@@ -58,7 +58,10 @@ int main(int argc, char** argv) {
                     EstimatorSettings settings;
                     settings.kind = kind, settings.albedo_correction = corrected;
                     settings.samples = argc > 1 ? std::atoi(argv[1]) : 19;
-                    print_rows(model == ModelId::kurt ? "kurt a=0" : model == ModelId::ggx ? "ggx" : "beckmann", lobe, light, settings);
+                    print_rows(model == ModelId::kurt  ? "kurt a=0"
+                               : model == ModelId::ggx ? "ggx"
+                                                       : "beckmann",
+                               lobe, light, settings);
                 }
     return 0;
 }

@@ -19,7 +19,7 @@ inline AovFrame sphere_frame(int size, float distance = 6.0f) {
     frame.file = "sphere";
     frame.data_window = frame.display_window = {0, 0, size, size};
     Image position(size, size, 3), normal(size, size, 3);
-    const float half = std::sqrt(1 / (distance * distance - 1));      // tangent of the angle the sphere's outline is seen under
+    const float half = std::sqrt(1 / (distance * distance - 1));  // tangent of the angle the sphere's outline is seen under
     Camera camera;
     camera.centre = Vec3f(0, 0, distance);
     camera.axis = Vec3f(0, 0, -1), camera.right = Vec3f(half, 0, 0), camera.up = Vec3f(0, half, 0);
@@ -50,7 +50,8 @@ inline AovFrame covered_frame(int width, int height) {
         for (int x = 0; x < width; ++x) {
             const float px = 2 * (x + 0.5f) / width - 1, py = aspect * (1 - 2 * (y + 0.5f) / height);
             const Vec3f p(px, py, 0.1f * std::sin(4 * px) * std::cos(5 * py));
-            const Vec3f n = Vec3f(-0.4f * std::cos(4 * px) * std::cos(5 * py), 0.5f * std::sin(4 * px) * std::sin(5 * py), 1).normalized();
+            const Vec3f n =
+                Vec3f(-0.4f * std::cos(4 * px) * std::cos(5 * py), 0.5f * std::sin(4 * px) * std::sin(5 * py), 1).normalized();
             std::copy_n(&p.x, 3, position.at(x, y));
             std::copy_n(&n.x, 3, normal.at(x, y));
         }
@@ -88,7 +89,8 @@ inline Image stress_light(uint32_t seed, int height = 512, int spots = 40) {
     for (int i = 0; i < spots; ++i) {
         const double z = 2 * uniform(random) - 1, phi = 2 * pi * uniform(random), r = std::sqrt(1 - z * z);
         const double diameter_deg = 2 + 8 * uniform(random);
-        list.push_back({r * std::cos(phi), r * std::sin(phi), z, std::cos(diameter_deg / 2 * pi / 180), std::pow(3000.0, uniform(random))});
+        list.push_back({r * std::cos(phi), r * std::sin(phi), z, std::cos(diameter_deg / 2 * pi / 180),
+                        std::pow(3000.0, uniform(random))});
     }
     Image light(2 * height, height, 3);
     for (int y = 0; y < height; ++y)

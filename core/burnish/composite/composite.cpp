@@ -36,8 +36,9 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
     const auto* irradiance = frame.find(Role::irradiance);
     if (!irradiance)
         throw Error(ErrorCode::missing_channel,
-                    frame.file + ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
-                                 "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
+                    frame.file +
+                        ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
+                        "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
     Image diffuse = modulated_sum(irradiance, nullptr, albedo);
     for (size_t i = 0; i < diffuse.pixel_count(); ++i) {
         const int rule = assignment.rule[i];
@@ -58,12 +59,15 @@ Image rendered_specular(const AovFrame& frame) {
     const Image *direct = frame.find(Role::specular_direct), *indirect = frame.find(Role::specular_indirect);
     if (!direct && !indirect)
         throw Error(ErrorCode::missing_channel,
-                    frame.file + ": no rendered specular to replace (looked for specular_direct, specular_indirect). "
-                                 "Name them with --channel specular_direct=LAYER, or use --mode add");
+                    frame.file +
+                        ": no rendered specular to replace (looked for specular_direct, specular_indirect). "
+                        "Name them with --channel specular_direct=LAYER, or use --mode add");
     const Image* albedo = frame.find(Role::specular_albedo);
     if (frame.divided_by_albedo && !albedo)
-        throw Error(ErrorCode::missing_channel, frame.file + ": the specular passes are divided by their colour, and the colour is missing. "
-                                                             "Name it with --channel specular_albedo=LAYER");
+        throw Error(ErrorCode::missing_channel,
+                    frame.file +
+                        ": the specular passes are divided by their colour, and the colour is missing. "
+                        "Name it with --channel specular_albedo=LAYER");
     return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
 }
 

@@ -13,14 +13,14 @@ enum class CompositeMode { add, replace, difference };
 
 struct CompositeSettings {
     CompositeMode mode = CompositeMode::add;
-    float gain = 1.0f;                  // multiplies the overlay
-    Color3f tint{1, 1, 1};              // multiplies the overlay
+    float gain = 1.0f;      // multiplies the overlay
+    Color3f tint{1, 1, 1};  // multiplies the overlay
 };
 
 struct Composite {
-    Image beauty;                       // RGBA, associated alpha, linear
-    Image overlay;                      // RGB as added: gain, tint, mask and coverage applied
-    Image diffuse;                      // RGB, only where the base is the diffuse part; else empty
+    Image beauty;   // RGBA, associated alpha, linear
+    Image overlay;  // RGB as added: gain, tint, mask and coverage applied
+    Image diffuse;  // RGB, only where the base is the diffuse part; else empty
 };
 
 /// `kd`: per rule, for the diffuse part kd/pi * E * albedo from an irradiance layer. `old_overlay`: for `difference`.

@@ -12,10 +12,10 @@ namespace burnish {
 /// One line of the shot file's "assign"; a rule with no selector takes the whole frame, one with several takes what all of
 /// them select.
 struct AssignRule {
-    std::string material;                          // name in the job's materials, a preset or a file
+    std::string material;  // name in the job's materials, a preset or a file
     std::optional<int> object_index, material_index;
-    std::string cryptomatte;                       // object names as in matching_ids(), "" = none; "CryptoMaterial:brass*"
-                                                   // looks in that cryptomatte instead of the first that lists a match
+    std::string cryptomatte;  // object names as in matching_ids(), "" = none; "CryptoMaterial:brass*"
+                              // looks in that cryptomatte instead of the first that lists a match
 };
 
 /// Per pixel: index into the list of rules (-1 = none) and the share of the pixel it covers, in [0, 1].
@@ -23,7 +23,7 @@ struct Assignment {
     int width = 0, height = 0;
     std::vector<int16_t> rule;
     std::vector<float> coverage;
-    std::vector<size_t> counts;                    // pixels per rule
+    std::vector<size_t> counts;  // pixels per rule
 };
 
 /// Gives each pixel the rule that covers most of it. Where rules select the same object the last one takes it, and what

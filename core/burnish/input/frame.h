@@ -19,22 +19,22 @@ struct Metadata;
 
 /// One cryptomatte of a file (specification 1.2.0), ranks in descending coverage.
 struct Cryptomatte {
-    std::string name;                            // layer prefix, e.g. "ViewLayer.CryptoObject"
-    std::vector<Image> ranks;                    // each 2 channels: id (float whose bits are the hash), coverage in [0, 1]
-    std::map<std::string, uint32_t> manifest;    // object name -> id bits; empty when the file has none
+    std::string name;                          // layer prefix, e.g. "ViewLayer.CryptoObject"
+    std::vector<Image> ranks;                  // each 2 channels: id (float whose bits are the hash), coverage in [0, 1]
+    std::map<std::string, uint32_t> manifest;  // object name -> id bits; empty when the file has none
 };
 
 /// A frame in memory. Every layer has the size of `data_window`. Layers are linear; data layers are never colour managed.
 struct AovFrame {
     std::string file;
-    Renderer renderer = Renderer::unknown;       // by the file's fingerprint; says what its passes mean
+    Renderer renderer = Renderer::unknown;  // by the file's fingerprint; says what its passes mean
     Window data_window, display_window;
     std::map<Role, Image> layers;
     std::optional<Camera> camera;
     std::vector<Cryptomatte> cryptomattes;
     std::shared_ptr<const Metadata> metadata;
-    bool divided_by_albedo = false;              // light passes are to be multiplied by their colour pass (Cycles, V-Ray raw)
-    std::vector<std::string> notes;              // what was found and why, one line each, for `info` and the report
+    bool divided_by_albedo = false;  // light passes are to be multiplied by their colour pass (Cycles, V-Ray raw)
+    std::vector<std::string> notes;  // what was found and why, one line each, for `info` and the report
     std::vector<std::string> warnings;
 
     bool has(Role role) const { return layers.count(role) != 0; }

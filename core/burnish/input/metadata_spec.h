@@ -8,7 +8,7 @@
 namespace burnish {
 
 struct Metadata {
-    OIIO::ImageSpec spec;  // of the part that holds the beauty, or of the first one read
+    OIIO::ImageSpec spec;     // of the part that holds the beauty, or of the first one read
     std::string layers = {};  // what the file has, for messages
 };
 

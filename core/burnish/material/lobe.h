@@ -30,7 +30,8 @@ decltype(auto) visit_lobe(const LobeParameters& p, Visitor&& visit) {
     const float side_sign = p.side == Side::transmission ? -1.0f : 1.0f;
     switch (p.model) {
 #define BURNISH_MODEL(id, type) \
-    case ModelId::id: return visit(Lobe<type>{type(p), side_sign});
+    case ModelId::id:           \
+        return visit(Lobe<type>{type(p), side_sign});
 #include <burnish/material/models/models.def>
 #undef BURNISH_MODEL
     }

@@ -16,14 +16,14 @@ namespace burnish {
 /// A number a model has beyond the ones all lobes share.
 struct ModelParameter {
     std::string_view name;
-    float value, min, max;       // default and allowed range
+    float value, min, max;  // default and allowed range
     std::string_view help;
 };
 
 struct ModelInfo {
-    std::string_view name, summary, source;     // source: publication and equations
-    std::vector<ModelParameter> parameters;     // order of LobeParameters::extra
-    bool reciprocal = true;                     // f(wo, wi) == f(wi, wo)
+    std::string_view name, summary, source;  // source: publication and equations
+    std::vector<ModelParameter> parameters;  // order of LobeParameters::extra
+    bool reciprocal = true;                  // f(wo, wi) == f(wi, wo)
 };
 
 /// What kernels ask of a lobe. `eval` is the BRDF f in 1/sr with Fresnel; `pdf` is the density of `sample` in solid angle

@@ -26,18 +26,18 @@ struct PerPixel {
 struct LobeParameters {
     ModelId model = ModelId::kurt;
     Side side = Side::reflection;
-    float strength = 1.0f;           // ks or kt, [0, inf)
+    float strength = 1.0f;  // ks or kt, [0, inf)
     Color3f tint{1, 1, 1};
-    float mx = 0.1f, my = 0.1f;      // (0, 1]
-    float rotation = 0.0f;           // radians, turns t about n, right-hand rule
+    float mx = 0.1f, my = 0.1f;  // (0, 1]
+    float rotation = 0.0f;       // radians, turns t about n, right-hand rule
     Fresnel fresnel;
-    std::vector<float> extra;        // the model's own parameters, in the order of ModelInfo::parameters
+    std::vector<float> extra;  // the model's own parameters, in the order of ModelInfo::parameters
     PerPixel per_pixel;
 };
 
 struct Material {
     std::string name;
-    Color3f kd{0, 0, 0};             // diffuse reflectivity, used where burnish makes the diffuse part itself
+    Color3f kd{0, 0, 0};  // diffuse reflectivity, used where burnish makes the diffuse part itself
     std::vector<LobeParameters> lobes;
 };
 

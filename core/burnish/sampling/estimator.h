@@ -15,14 +15,14 @@ enum class Quadrature { half_vector, energy, energy_squared };
 
 struct EstimatorSettings {
     EstimatorKind kind = EstimatorKind::regular;
-    int samples = 19;                        // lookups per lobe; `regular` takes the pattern nearest to it
+    int samples = 19;  // lookups per lobe; `regular` takes the pattern nearest to it
     PatternKind pattern = PatternKind::automatic;
-    float border = 0.0f;                     // xi0: where the lobe ends, D relative to its peak, (0, 1); 0 = by sample count
+    float border = 0.0f;  // xi0: where the lobe ends, D relative to its peak, (0, 1); 0 = by sample count
     Quadrature quadrature = Quadrature::half_vector;
-    float level_bias = -0.9f;                // MIP levels added to the footprint rule
-    bool albedo_correction = true;           // tabulated true / estimated albedo, the cure for grazing angles
-    float tolerance = 0.005f;                // reference: stop at this standard error, relative to the pixel's mean
-    int max_samples = 16384;                 // reference: sample cap per pixel
+    float level_bias = -0.9f;       // MIP levels added to the footprint rule
+    bool albedo_correction = true;  // tabulated true / estimated albedo, the cure for grazing angles
+    float tolerance = 0.005f;       // reference: stop at this standard error, relative to the pixel's mean
+    int max_samples = 16384;        // reference: sample cap per pixel
 };
 
 }  // namespace burnish

@@ -11,17 +11,18 @@ namespace {
 
 constexpr double kPi2 = 2 * std::numbers::pi;
 constexpr int kMaxCircles = 256;
-constexpr float kExtremeAspect = 8.0f;      // beyond it a line covers the lobe better than circles (tests/bench)
+constexpr float kExtremeAspect = 8.0f;  // beyond it a line covers the lobe better than circles (tests/bench)
 
 double border_radius(float border) { return std::sqrt(-std::log(static_cast<double>(border))); }
 
 /// Samples of one circle of radius r about the wider axis, in normalised slopes of a lobe with this aspect; they share `area`.
 LobePattern circle(double r, int count, double turn, float aspect, double area) {
     LobePattern samples;
-    const double wide = std::max(aspect, 1.0f), tall = std::max(1.0f / aspect, 1.0f);   // max(m) / mx is `tall`
+    const double wide = std::max(aspect, 1.0f), tall = std::max(1.0f / aspect, 1.0f);  // max(m) / mx is `tall`
     for (int k = 0; k < count; ++k) {
         const double phi = kPi2 * (k + turn) / count;
-        samples.push_back({static_cast<float>(r * std::cos(phi) * tall), static_cast<float>(r * std::sin(phi) * wide), static_cast<float>(area / count)});
+        samples.push_back({static_cast<float>(r * std::cos(phi) * tall), static_cast<float>(r * std::sin(phi) * wide),
+                           static_cast<float>(area / count)});
     }
     return samples;
 }
@@ -63,7 +64,7 @@ double relative_length(double w, const RadiusOf& radius_of) {
 
 /// The circles whose count comes nearest to `samples`; earlier candidates win ties.
 LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
-    constexpr std::array<int, 3> with_centre{6, 5, 7}, without_centre{4, 5, 3};     // the source's own first
+    constexpr std::array<int, 3> with_centre{6, 5, 7}, without_centre{4, 5, 3};  // the source's own first
     LobePattern best;
     const auto distance = [&](const LobePattern& p) { return std::abs(static_cast<int>(p.size()) - samples); };
     for (const bool centred : {true, false}) {
@@ -108,7 +109,7 @@ LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of) {
 
 LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of) {
     const double radius = border_radius(border), step = 2 * radius / n;
-    const float area = static_cast<float>(step * std::sqrt(std::numbers::pi));    // the narrow profile exp(-v^2) has this width
+    const float area = static_cast<float>(step * std::sqrt(std::numbers::pi));  // the narrow profile exp(-v^2) has this width
     LobePattern pattern;
     for (int k = 0; k < n; ++k) {
         const float along = static_cast<float>(-radius + (k + 0.5) * step);
@@ -119,7 +120,7 @@ LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radi
 
 LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
     if (kind == PatternKind::automatic && std::max(aspect, 1 / aspect) > kExtremeAspect) kind = PatternKind::line;
-    const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;      // a line reaches further with the same count
+    const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;  // a line reaches further with the same count
     const float xi0 = border > 0 ? border : default_border(rings_worth);
     if (kind == PatternKind::ring) return ring_pattern(std::max(samples, 2), xi0, radius_of);
     if (kind == PatternKind::line) return line_pattern(samples, aspect, xi0, radius_of);

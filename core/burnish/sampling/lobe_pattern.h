@@ -14,8 +14,8 @@
 namespace burnish {
 
 struct PatternSample {
-    float u, v;      // normalised slopes
-    float area;      // of the (u, v) plane this sample stands for; the areas of a pattern tile the lobe up to its border
+    float u, v;  // normalised slopes
+    float area;  // of the (u, v) plane this sample stands for; the areas of a pattern tile the lobe up to its border
 };
 using LobePattern = std::vector<PatternSample>;
 

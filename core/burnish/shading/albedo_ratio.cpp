@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-constexpr float kMaxRatio = 4.0f;            // beyond it the estimate holds no information worth scaling up
+constexpr float kMaxRatio = 4.0f;  // beyond it the estimate holds no information worth scaling up
 
 }  // namespace
 
@@ -23,10 +23,11 @@ AlbedoRatio::AlbedoRatio(const LobeParameters& lobe, const Estimate& estimate) {
     int count = 1;
     for (const Axis& axis : m_axes) count *= axis.count;
     m_ratio.resize(count);
-    const int samples = count > 10000 ? 512 : 2048;       // a second of work on one core at the most
+    const int samples = count > 10000 ? 512 : 2048;  // a second of work on one core at the most
     for_each_index(count, [&](int index) {
         std::array<int, kAxes> node{};
-        for (int axis = 0, rest = index; axis < kAxes; rest /= m_axes[axis].count, ++axis) node[axis] = rest % m_axes[axis].count;
+        for (int axis = 0, rest = index; axis < kAxes; rest /= m_axes[axis].count, ++axis)
+            node[axis] = rest % m_axes[axis].count;
         const ShadingPoint point = point_at(node);
         LobeParameters there = lobe;
         there.mx = point.mx, there.my = point.my, there.rotation = 0, there.strength = 1, there.tint = Color3f(1, 1, 1);

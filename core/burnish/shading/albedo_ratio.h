@@ -31,7 +31,7 @@ private:
         int count;
         float node(int i) const { return count > 1 ? low + (high - low) * i / (count - 1) : low; }
     };
-    static constexpr int kAxes = 4;          // sqrt(cos theta_o), phi_o, log2 of mean width, log2 of mx/my
+    static constexpr int kAxes = 4;  // sqrt(cos theta_o), phi_o, log2 of mean width, log2 of mx/my
 
     std::array<float, kAxes> coordinates(const ShadingPoint& point) const;
     ShadingPoint point_at(const std::array<int, kAxes>& node) const;

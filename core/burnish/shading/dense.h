@@ -11,10 +11,10 @@ namespace burnish {
 
 /// What shading leaves behind; all images have the frame's size.
 struct ShadedFrame {
-    Image overlay;                  // linear RGB; 0 where nothing was shaded; coverage not yet applied
-    Image standard_error;           // 1 channel, `reference` only, else empty
-    Image samples;                  // 1 channel: lookups per pixel
-    double lookups = 0;             // total
+    Image overlay;         // linear RGB; 0 where nothing was shaded; coverage not yet applied
+    Image standard_error;  // 1 channel, `reference` only, else empty
+    Image samples;         // 1 channel: lookups per pixel
+    double lookups = 0;    // total
 };
 
 /// Shades pixels of rule i with shaders[i]. Bit-identical for any thread count.

@@ -15,7 +15,8 @@ struct MaterialShader::LobeShader {
         if (!settings.albedo_correction || settings.kind == EstimatorKind::reference) return;
         const auto constant_light = [](const Vec3f&, float) { return Color3f(1, 1, 1); };
         ratio = AlbedoRatio(lobe, [&](const ShadingPoint& point) {
-            return visit_lobe(lobe, [&](const auto& own) { return few_samples(own.with_widths(point.mx, point.my), point, constant_light); });
+            return visit_lobe(
+                lobe, [&](const auto& own) { return few_samples(own.with_widths(point.mx, point.my), point, constant_light); });
         });
     }
 
@@ -84,8 +85,10 @@ void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
     for (uint32_t index = 0; index < m_lobes.size(); ++index) {
         const LobeShader& shader = *m_lobes[index];
         visit_lobe(shader.lobe, [&](const auto& lobe) {
-            if (reference) shader.add_reference(lobe, batch, out, index);
-            else shader.add_filtered(lobe, batch, out);
+            if (reference)
+                shader.add_reference(lobe, batch, out, index);
+            else
+                shader.add_filtered(lobe, batch, out);
         });
     }
 }

@@ -13,9 +13,9 @@ namespace burnish {
 
 /// Results of one batch, entry i for batch pixel i.
 struct ShadedBatch {
-    std::vector<Color3f> overlay;            // linear radiance, light gain, tint and weight included
-    std::vector<float> standard_error;       // reference only: of the overlay's luminance; else empty
-    std::vector<float> samples;              // lookups spent on the pixel
+    std::vector<Color3f> overlay;       // linear radiance, light gain, tint and weight included
+    std::vector<float> standard_error;  // reference only: of the overlay's luminance; else empty
+    std::vector<float> samples;         // lookups spent on the pixel
 };
 
 class MaterialShader {
@@ -29,7 +29,7 @@ public:
     /// Whether `shade` fills standard_error: the estimator is `reference`.
     bool estimates_error() const;
 
-    struct LobeShader;                       // one lobe under one estimator
+    struct LobeShader;  // one lobe under one estimator
 
 private:
     std::vector<std::shared_ptr<const LobeShader>> m_lobes;

@@ -8,14 +8,15 @@
 namespace burnish {
 namespace {
 
-constexpr int kStepsPerOctave = 4, kOctaves = 6;      // covers aspects 1:64 to 64:1
+constexpr int kStepsPerOctave = 4, kOctaves = 6;  // covers aspects 1:64 to 64:1
 
 }  // namespace
 
 PatternBank::PatternBank(const LobeParameters& parameters, const EstimatorSettings& settings) {
     const auto make = [&](float aspect) {
         return visit_lobe(parameters, [&](const auto& lobe) {
-            return regular_pattern(settings.pattern, settings.samples, aspect, settings.border, [&](float xi) { return lobe.border(xi); });
+            return regular_pattern(settings.pattern, settings.samples, aspect, settings.border,
+                                   [&](float xi) { return lobe.border(xi); });
         });
     };
     if (!parameters.per_pixel.anisotropy) {

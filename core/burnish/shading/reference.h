@@ -17,18 +17,20 @@ namespace burnish {
 
 struct ReferenceEstimate {
     Color3f mean{0, 0, 0};
-    float standard_error = 0;        // of the luminance of `mean`
+    float standard_error = 0;  // of the luminance of `mean`
     int lookups = 0;
 };
 
-inline constexpr int kReplicates = 16;       // independent sequences
-inline constexpr int kPassPoints = 4;        // points each sequence adds per pass
-inline constexpr int kMinPasses = 16;        // 2048 lookups: fewer may miss a small lamp altogether, and then the spread knows nothing of it
+inline constexpr int kReplicates = 16;  // independent sequences
+inline constexpr int kPassPoints = 4;   // points each sequence adds per pass
+inline constexpr int kMinPasses =
+    16;  // 2048 lookups: fewer may miss a small lamp altogether, and then the spread knows nothing of it
 inline constexpr int kPassLookups = 2 * kReplicates * kPassPoints;
 
 /// Point `index` of one sequence: a lobe sample and a light sample.
 template <class LobeType>
-Color3f reference_pair(const LobeType& lobe, const Environment& light, const ShadingPoint& point, uint32_t index, uint32_t seed) {
+Color3f reference_pair(const LobeType& lobe, const Environment& light, const ShadingPoint& point, uint32_t index,
+                       uint32_t seed) {
     const auto contribution = [&](const Vec3f& wi, const Vec3f& d, float pdf_lobe, float pdf_light) {
         const float cos_i = wi.z * lobe.side_sign;
         if (cos_i <= 0 || pdf_lobe + pdf_light <= 0 || !point.sees(wi, lobe.side_sign)) return Color3f(0, 0, 0);
@@ -36,7 +38,8 @@ Color3f reference_pair(const LobeType& lobe, const Environment& light, const Sha
     };
     const Vec3f wi = lobe.sample(point.wo, owen_sobol(index, seed)), d = point.frame.to_world(wi);
     float pdf_light = 0;
-    const Vec3f to_light = light.sample(owen_sobol(index, hash_bits(seed, 1)), pdf_light), local = point.frame.to_local(to_light);
+    const Vec3f to_light = light.sample(owen_sobol(index, hash_bits(seed, 1)), pdf_light),
+                local = point.frame.to_local(to_light);
     return contribution(wi, d, lobe.pdf(point.wo, wi), light.pdf(d)) +
            contribution(local, to_light, lobe.pdf(point.wo, local), pdf_light);
 }
@@ -60,9 +63,11 @@ ReferenceEstimate reference_estimate(const LobeType& lobe, const Environment& li
     sums.fill(Color3f(0, 0, 0));
     for (int points = kPassPoints;; points += kPassPoints) {
         for (int r = 0; r < kReplicates; ++r)
-            for (int i = points - kPassPoints; i < points; ++i) sums[r] += reference_pair(lobe, light, point, i, hash_bits(seed, 2 + r));
+            for (int i = points - kPassPoints; i < points; ++i)
+                sums[r] += reference_pair(lobe, light, point, i, hash_bits(seed, 2 + r));
         const ReferenceEstimate result = summary(sums, points);
-        const bool converged = points >= kMinPasses * kPassPoints && result.standard_error <= settings.tolerance * luminance(result.mean);
+        const bool converged =
+            points >= kMinPasses * kPassPoints && result.standard_error <= settings.tolerance * luminance(result.mean);
         if (converged || result.lookups + kPassLookups > settings.max_samples) return result;
     }
 }

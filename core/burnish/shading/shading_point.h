@@ -7,10 +7,10 @@
 namespace burnish {
 
 struct ShadingPoint {
-    Frame frame;             // light axes; t along the lobe's x axis
-    Vec3f wo, ng;            // local
+    Frame frame;   // light axes; t along the lobe's x axis
+    Vec3f wo, ng;  // local
     float mx, my;
-    Color3f scale;           // tint * strength * weight: multiplies the lobe
+    Color3f scale;  // tint * strength * weight: multiplies the lobe
 
     /// Whether wi (local) lies on the lobe's side of the geometric surface; shading normals alone let light leak through.
     bool sees(const Vec3f& wi, float side_sign) const { return ng.dot(wi) * side_sign > 0; }
@@ -35,7 +35,8 @@ inline Frame lobe_frame(const SurfaceBatch& batch, size_t i, const LobeParameter
 }
 
 /// Point i of the batch for one lobe. world_to_light: row vector times matrix.
-inline ShadingPoint shading_point(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe, const Matrix33f& world_to_light) {
+inline ShadingPoint shading_point(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe,
+                                  const Matrix33f& world_to_light) {
     const Vec2f widths = lobe_widths(batch, i, lobe);
     const Frame world = lobe_frame(batch, i, lobe, widths.x == widths.y);
     ShadingPoint point;

@@ -21,13 +21,13 @@ struct Vec3Planes {
 /// Pixels of one material, all valid: unit vectors, wo above both n and ng. World space, scene units.
 /// The optional fields (roughness ... weight) are empty when the frame has no such layer, else of size().
 struct SurfaceBatch {
-    std::vector<uint32_t> pixel;     // flat index into the frame, row-major
-    Vec3Planes p, n, ng, t, wo;      // ng == n without a geometric-normal layer; t is perpendicular to n
-    std::vector<float> roughness;    // slope width m (alpha), already squared from the artist's roughness; in (0, 1]
-    std::vector<float> anisotropy;   // artist's anisotropy in [-1, 1]
-    std::vector<float> rotation;     // radians, turns t about n, right-hand rule
-    Vec3Planes tint;                 // linear colour, multiplies the overlay
-    std::vector<float> weight;       // multiplies the overlay
+    std::vector<uint32_t> pixel;    // flat index into the frame, row-major
+    Vec3Planes p, n, ng, t, wo;     // ng == n without a geometric-normal layer; t is perpendicular to n
+    std::vector<float> roughness;   // slope width m (alpha), already squared from the artist's roughness; in (0, 1]
+    std::vector<float> anisotropy;  // artist's anisotropy in [-1, 1]
+    std::vector<float> rotation;    // radians, turns t about n, right-hand rule
+    Vec3Planes tint;                // linear colour, multiplies the overlay
+    std::vector<float> weight;      // multiplies the overlay
 
     size_t size() const { return pixel.size(); }
     void clear();

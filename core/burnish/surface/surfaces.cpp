@@ -8,8 +8,8 @@
 namespace burnish {
 namespace {
 
-constexpr float kMiss = 1e9f;           // renderers write 1e10, 1e30 or infinity where no surface was hit
-constexpr float kMinWidth = 1e-4f;      // narrowest lobe; below it a lobe is a mirror to float precision
+constexpr float kMiss = 1e9f;       // renderers write 1e10, 1e30 or infinity where no surface was hit
+constexpr float kMinWidth = 1e-4f;  // narrowest lobe; below it a lobe is a mirror to float precision
 
 Vec3f vec3(const Image& image, size_t pixel) {
     const float* v = image.at(pixel);
@@ -31,11 +31,15 @@ std::string_view validity_name(Validity validity) {
 }
 
 Surfaces::Surfaces(const AovFrame& frame, const Assignment& assignment, const SurfaceSettings& settings)
-    : m_frame(frame), m_assignment(assignment), m_settings(settings), m_position(&frame.layer(Role::position)),
+    : m_frame(frame),
+      m_assignment(assignment),
+      m_settings(settings),
+      m_position(&frame.layer(Role::position)),
       m_normal(&frame.layer(Role::normal)) {
     if (!frame.camera)
-        throw Error(ErrorCode::missing_channel, frame.file + ": no camera, and none could be recovered from the position layer. "
-                                                             "Give one in the shot file or with --camera FILE");
+        throw Error(ErrorCode::missing_channel, frame.file +
+                                                    ": no camera, and none could be recovered from the position layer. "
+                                                    "Give one in the shot file or with --camera FILE");
     m_eye = frame.camera->centre;
     m_settings.tangent = resolve(settings.tangent, frame);
     if (m_settings.tangent == TangentSource::layer) frame.layer(Role::tangent);

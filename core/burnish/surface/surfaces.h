@@ -20,9 +20,9 @@ enum class TangentSource { automatic, layer, uv, axis };
 
 struct SurfaceSettings {
     TangentSource tangent = TangentSource::automatic;
-    Vec3f tangent_axis{0, 0, 1};        // for `axis`: t = axis x n, the radial tangent about this axis
-    float min_normal_length = 0.3f;     // shorter averaged normals are not shaded
-    bool roughness_is_alpha = false;    // roughness layer holds alpha instead of the artist's r (alpha = r^2)
+    Vec3f tangent_axis{0, 0, 1};      // for `axis`: t = axis x n, the radial tangent about this axis
+    float min_normal_length = 0.3f;   // shorter averaged normals are not shaded
+    bool roughness_is_alpha = false;  // roughness layer holds alpha instead of the artist's r (alpha = r^2)
 };
 
 class Surfaces {

@@ -31,13 +31,15 @@ TEST(LobePattern, MeetsAnySmallBudgetClosely) {
         const int found = static_cast<int>(regular_pattern(PatternKind::automatic, n, 1.0f, 0.1f, gaussian_radius).size());
         EXPECT_LE(std::abs(found - n), n <= 24 ? 2 : 5) << n;
     }
-    for (const int n : {7, 14, 16, 19, 30}) EXPECT_EQ(regular_pattern(PatternKind::automatic, n, 1.0f, 0, gaussian_radius).size(), size_t(n));
+    for (const int n : {7, 14, 16, 19, 30})
+        EXPECT_EQ(regular_pattern(PatternKind::automatic, n, 1.0f, 0, gaussian_radius).size(), size_t(n));
 }
 
 TEST(LobePattern, AreasTileTheLobe) {
     for (const float aspect : {1.0f, 0.25f, 3.0f})
         for (const float border : {0.3f, 0.1f, 0.01f})
-            EXPECT_NEAR(total_area(circle_pattern(4, 6, true, aspect, border, gaussian_radius)), -std::log(border) * std::numbers::pi, 1e-3);
+            EXPECT_NEAR(total_area(circle_pattern(4, 6, true, aspect, border, gaussian_radius)),
+                        -std::log(border) * std::numbers::pi, 1e-3);
 }
 
 TEST(LobePattern, IsSymmetricForAnyAspect) {
@@ -61,7 +63,8 @@ TEST(LobePattern, FollowsTheLobesEnergyAsTheCountGrows) {
     // With equal areas the samples' densities sum to the lobe's energy within the border, 1 - xi0.
     for (const float border : {0.2f, 0.05f}) {
         double sum = 0;
-        for (const PatternSample& s : circle_pattern(12, 6, true, 1.0f, border, gaussian_radius)) sum += density(s) * s.area / std::numbers::pi;
+        for (const PatternSample& s : circle_pattern(12, 6, true, 1.0f, border, gaussian_radius))
+            sum += density(s) * s.area / std::numbers::pi;
         EXPECT_NEAR(sum, 1 - border, 5e-3);
     }
 }

@@ -72,12 +72,14 @@ Color3f brute_force(const LobeParameters& p, const Environment& light, const Vec
 
 TEST(WhiteFurnace, ReferenceIsTheDirectionalAlbedo) {
     const Environment light = light_of(scenes::constant_light(1));
-    for (const LobeParameters& p : {lobe(ModelId::beckmann, 0.1f, 0.1f), lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::ggx, 0.05f, 0.4f),
-                                    lobe(ModelId::kurt, 0.2f, 0.2f), lobe(ModelId::beckmann, 0.02f, 0.02f)}) {
+    for (const LobeParameters& p :
+         {lobe(ModelId::beckmann, 0.1f, 0.1f), lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::ggx, 0.05f, 0.4f),
+          lobe(ModelId::kurt, 0.2f, 0.2f), lobe(ModelId::beckmann, 0.02f, 0.02f)}) {
         const SurfaceBatch batch = fan(0.3f);
         const ShadedBatch out = shade(material(p), light, estimator(EstimatorKind::reference), batch);
         for (size_t i = 0; i < batch.size(); ++i)
-            EXPECT_NEAR(out.overlay[i].y, directional_albedo(p, batch.wo[i], 1 << 16).y, 1e-3) << model_info(p.model).name << " " << i;
+            EXPECT_NEAR(out.overlay[i].y, directional_albedo(p, batch.wo[i], 1 << 16).y, 1e-3)
+                << model_info(p.model).name << " " << i;
     }
 }
 
@@ -90,17 +92,19 @@ TEST(WhiteFurnace, RegularKeepsTheAlbedoUpToSixtyDegrees) {
         for (const float m : {0.02f, 0.05f, 0.1f, 0.2f}) {
             LobeParameters p = lobe(ModelId::kurt, m, m);
             p.extra = {0.0f};
-            const SurfaceBatch batch = fan(0.0f, 23);      // steps of 4 degrees
+            const SurfaceBatch batch = fan(0.0f, 23);  // steps of 4 degrees
             const ShadedBatch out = shade(material(p), light, settings, batch);
             for (size_t i = 0; i <= 15; ++i)
-                EXPECT_NEAR(out.overlay[i].y / directional_albedo(p, batch.wo[i], 1 << 14).y, 1, 0.01) << "m " << m << " at " << 4 * i;
+                EXPECT_NEAR(out.overlay[i].y / directional_albedo(p, batch.wo[i], 1 << 14).y, 1, 0.01)
+                    << "m " << m << " at " << 4 * i;
         }
 }
 
 TEST(WhiteFurnace, AlbedoCorrectionHoldsAtGrazingAngles) {
     const Environment light = light_of(scenes::constant_light(1));
     for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance})
-        for (const LobeParameters& p : {lobe(ModelId::beckmann, 0.2f, 0.2f), lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::kurt, 0.2f, 0.05f)})
+        for (const LobeParameters& p :
+             {lobe(ModelId::beckmann, 0.2f, 0.2f), lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::kurt, 0.2f, 0.05f)})
             for (const float phi : {0.0f, 0.7f, 1.5f}) {
                 const SurfaceBatch batch = fan(phi);
                 const ShadedBatch out = shade(material(p), light, estimator(kind), batch);
@@ -114,7 +118,8 @@ TEST(Reference, MatchesBruteForceAndKnowsItsError) {
     const Environment light = light_of(scenes::stress_light(7, 256));
     EstimatorSettings settings = estimator(EstimatorKind::reference);
     settings.tolerance = 2e-3f;
-    for (const LobeParameters& p : {lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::beckmann, 0.2f, 0.5f), lobe(ModelId::kurt, 0.3f, 0.3f)}) {
+    for (const LobeParameters& p :
+         {lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::beckmann, 0.2f, 0.5f), lobe(ModelId::kurt, 0.3f, 0.3f)}) {
         const SurfaceBatch batch = fan(0.9f, 6);
         const ShadedBatch out = shade(material(p), light, settings, batch);
         for (size_t i = 0; i < batch.size(); ++i) {
@@ -146,7 +151,8 @@ TEST(Regular, ApproachesTheReferenceAsSamplesGrow) {
             few.border = border, few.level_bias = -1;
             const ShadedBatch out = shade(m, light, few, batch);
             double sum = 0;
-            for (size_t i = 0; i < batch.size(); ++i) sum += std::abs(out.overlay[i].y - truth.overlay[i].y) / truth.overlay[i].y;
+            for (size_t i = 0; i < batch.size(); ++i)
+                sum += std::abs(out.overlay[i].y - truth.overlay[i].y) / truth.overlay[i].y;
             return sum / batch.size();
         };
         EXPECT_LT(error(2000, 1e-4f), 0.02);
@@ -173,7 +179,7 @@ TEST(Regular, AllQuadraturesAgreeOnASmoothLight) {
 TEST(Shading, TransmissionReadsTheLightBehind) {
     Image half_lit(64, 32, 3);
     for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 64; ++x) std::fill_n(half_lit.at(x, y), 3, y < 16 ? 0.0f : 1.0f);      // bright below the horizon
+        for (int x = 0; x < 64; ++x) std::fill_n(half_lit.at(x, y), 3, y < 16 ? 0.0f : 1.0f);  // bright below the horizon
     const Environment light = light_of(half_lit);
     LobeParameters p = lobe(ModelId::beckmann, 0.05f, 0.05f);
     SurfaceBatch batch;
@@ -201,7 +207,9 @@ TEST(Shading, GeometricNormalCutsTheLobe) {
         const Color3f truth = brute_force(p, light, batch.wo[i], ng), uncut = brute_force(p, light, batch.wo[i]);
         EXPECT_NEAR(reference.overlay[i].y, truth.y, 3e-3) << i;
         EXPECT_NEAR(regular.overlay[i].y, truth.y, 0.05) << i;
-        if (i == 9) { EXPECT_LT(truth.y, 0.8f * uncut.y); }
+        if (i == 9) {
+            EXPECT_LT(truth.y, 0.8f * uncut.y);
+        }
     }
 }
 
@@ -233,7 +241,8 @@ TEST(Shading, TurningTheLobeEqualsTurningTheTangent) {
     batch.t.clear();
     for (size_t i = 0; i < batch.size(); ++i) batch.t.push_back({std::cos(0.7f), std::sin(0.7f), 0});
     const ShadedBatch tangent = shade(material(p), light, estimator(EstimatorKind::regular), batch);
-    for (size_t i = 0; i < batch.size(); ++i) EXPECT_NEAR(turned.overlay[i].y, tangent.overlay[i].y, 1e-4f * tangent.overlay[i].y);
+    for (size_t i = 0; i < batch.size(); ++i)
+        EXPECT_NEAR(turned.overlay[i].y, tangent.overlay[i].y, 1e-4f * tangent.overlay[i].y);
 }
 
 TEST(Shading, GivesTheSameBitsForAnyThreadCount) {
@@ -245,7 +254,8 @@ TEST(Shading, GivesTheSameBitsForAnyThreadCount) {
         const ThreadLimit limit(threads);
         EstimatorSettings settings = estimator(kind);
         settings.max_samples = 512;
-        return shade_dense(surfaces, assignment, {MaterialShader(material(lobe(ModelId::ggx, 0.1f, 0.1f)), light, settings)}, {});
+        return shade_dense(surfaces, assignment, {MaterialShader(material(lobe(ModelId::ggx, 0.1f, 0.1f)), light, settings)},
+                           {});
     };
     for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::reference})
         EXPECT_EQ(render(1, kind).overlay.data, render(2, kind).overlay.data);
