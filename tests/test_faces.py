@@ -7,7 +7,7 @@ import burnish
 import numpy as np
 import pytest
 import scenes
-from conftest import SOURCE
+from conftest import BUILD
 
 SPEC = ("burnish_spec.R", "burnish_spec.G", "burnish_spec.B")
 
@@ -44,6 +44,13 @@ def test_flags_and_shot_file_are_the_same_job(shot, tmp_path, cli):
              "--assign", f"{material}=index:1", "--samples", "7", "--pixel-type", "float", "--diagnostics"]
     assert cli("composite", tmp_path / "beauty.exr", *flags, "-o", tmp_path / "flags.exr").code == 0
     assert (tmp_path / "out.exr").read_bytes() == (tmp_path / "flags.exr").read_bytes()
+
+
+def test_flags_add_to_the_rules_of_a_shot_file(shot, tmp_path, cli):
+    result = cli("composite", tmp_path / "shot.json", "--assign", "gold=index:7", "--gain", "2", "--json")
+    job = json.loads(result.out)["job"]
+    assert job["assign"] == [{"index": 1, "material": "brass"}, {"index": 7, "material": "gold"}]
+    assert job["composite"] == {"gain": 2} and job["quality"] == {"samples": 7}
 
 
 def test_arrays_give_the_pixels_of_files(shot, tmp_path):
@@ -98,9 +105,9 @@ def test_under_constant_light_the_overlay_is_the_albedo():
     assert np.allclose(layers["overlay"], expected, rtol=0.02)
 
 
-def test_the_shipped_schema_is_the_settings_table():
-    shipped = json.loads((SOURCE / "core/burnish/job/shot.schema.json").read_text())
-    assert shipped == burnish.shot_schema(), "write burnish.shot_schema() to core/burnish/job/shot.schema.json"
+def test_the_schema_that_ships_is_the_settings_table(cli):
+    shipped = json.loads((BUILD / "share/burnish/shot.schema.json").read_text())
+    assert shipped == burnish.shot_schema() == json.loads(cli("composite", "--schema").out)
 
 
 def test_every_setting_shows_up_on_every_face(cli):

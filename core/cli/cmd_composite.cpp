@@ -21,13 +21,22 @@ struct Options {
     bool quiet = false, verbose = false, as_json = false;
 };
 
+/// The shot file's job with the flags over it; repeatable flags add to what the shot file has.
 Job make_job(const Options& options) {
     Job job;
     if (options.input.ends_with(".json"))
         job = read_shot_file(options.input);
     else
         job.aovs = options.input;
-    set_settings(job, options.values, "");
+    nlohmann::json values = options.values;
+    for (const Setting& setting : settings()) {
+        const std::string name(setting.name);
+        if (!setting.repeatable() || !values.contains(name)) continue;
+        nlohmann::json held = setting.get(job);
+        merge(held, values[name]);
+        values[name] = std::move(held);
+    }
+    set_settings(job, values, "");
     return job;
 }
 
@@ -44,6 +53,11 @@ void print(const Report& report, const Options& options) {
         if (!options.quiet && !options.as_json) std::printf("%s\n", summary(frame).c_str());
     }
     if (options.as_json) std::printf("%s\n", report_to_json(report).dump(2).c_str());
+}
+
+void print_schema() {
+    std::printf("%s\n", shot_schema().dump(2).c_str());
+    throw CLI::Success();
 }
 
 int composite(const Options& options) {
@@ -70,6 +84,7 @@ Run add_composite(CLI::App& app) {
     command->add_flag("-q,--quiet", options->quiet, "print errors only");
     command->add_flag("-v,--verbose", options->verbose, "also print what was found and why");
     command->add_flag("--json", options->as_json, "print the report as JSON");
+    command->add_flag_callback("--schema", print_schema, "print the JSON schema of shot files and end");
     command->footer("Example: burnish composite beauty.exr --env studio.hdr --material chrome -o out.exr");
     return [options] { return composite(*options); };
 }

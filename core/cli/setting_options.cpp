@@ -45,12 +45,10 @@ std::string shown_default(const Setting& setting) {
 void collect(const Setting& setting, const std::string& text, json& values) {
     json value = setting_from_text(setting, text, option_name(setting.name));
     json& held = values[std::string(setting.name)];
-    if (!setting.repeatable() || held.is_null())
-        held = std::move(value);
-    else if (held.is_object())
-        held.update(value);
+    if (setting.repeatable() && !held.is_null())
+        merge(held, value);
     else
-        held.insert(held.end(), value.begin(), value.end());
+        held = std::move(value);
 }
 
 void add_option(CLI::App& command, const Setting& setting, json& values) {
@@ -84,6 +82,13 @@ void add_option(CLI::App& command, const Setting& setting, json& values) {
 }
 
 }  // namespace
+
+void merge(json& held, const json& more) {
+    if (held.is_object())
+        held.update(more);
+    else
+        held.insert(held.end(), more.begin(), more.end());
+}
 
 std::string option_name(std::string_view setting) {
     std::string name = "--" + std::string(setting);

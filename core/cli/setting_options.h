@@ -13,6 +13,9 @@ namespace burnish::cli {
 /// outlive the parsing.
 void add_setting_options(CLI::App& command, nlohmann::json& values, std::string_view section = "all");
 
+/// Repeated flags add to what is there: objects gain keys, lists grow.
+void merge(nlohmann::json& held, const nlohmann::json& more);
+
 /// "--env-rotate" for "env_rotate".
 std::string option_name(std::string_view setting);
 

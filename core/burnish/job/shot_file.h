@@ -27,7 +27,7 @@ nlohmann::json job_to_json(const Job& job);
 /// it is not JSON.
 Job read_shot_file(const std::string& file);
 
-/// The JSON schema of the shot file, made from the settings table; shipped as shot.schema.json.
+/// The JSON schema of the shot file, made from the settings table; the build ships it as shot.schema.json.
 nlohmann::json shot_schema();
 
 }  // namespace burnish
