@@ -210,6 +210,10 @@ def test_a_full_device(composite):
     expect(composite("--report", "/dev/full", output="out2/out.exr"), 1, "E_WRITE_FAILED", "/dev/full")
 
 
+def test_a_failed_run_tells_its_own_error_not_the_reports(composite):
+    expect(composite("--report", "/dev/full", env="absent.hdr"), 1, "E_READ_FAILED", "absent.hdr")
+
+
 def test_a_disk_that_fills_up_leaves_the_old_file(composite, work):
     (work / "kept").mkdir()
     assert composite(output="kept/out.exr").code == 0

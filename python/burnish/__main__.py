@@ -10,7 +10,7 @@ def main():
     """Replace this process by the burnish program, with the same arguments."""
     beside = pathlib.Path(__file__).parent / "bin" / "burnish"
     program = str(beside) if beside.exists() else shutil.which("burnish")
-    if program is None:
+    if program is None or os.path.realpath(program) == os.path.realpath(sys.argv[0]):  # or it would run itself for ever
         sys.exit("burnish: error: E_READ_FAILED the burnish program is not on the PATH; install it with cmake --install")
     os.execv(program, [program, *sys.argv[1:]])
 

@@ -121,6 +121,14 @@ void write_report(const Job& job, const Report& report) {
     if (!job.output.report.empty()) write_text(job.output.report, report_to_json(report).dump(2) + "\n");
 }
 
+/// What made the run fail is the error to tell, not a report that could not be written either.
+void write_report_of_failure(const Job& job, const Report& report) {
+    try {
+        write_report(job, report);
+    } catch (const Error&) {
+    }
+}
+
 }  // namespace
 
 std::string_view version() { return BURNISH_VERSION; }
@@ -139,7 +147,7 @@ Report run(const Job& job, const Progress& progress) {
     try {
         timed(report.seconds, "total", [&] { Runner(job, report, progress).run(); });
     } catch (const Error& error) {
-        if (error.code() != ErrorCode::cancelled) write_report(job, report);
+        if (error.code() != ErrorCode::cancelled) write_report_of_failure(job, report);
         throw;
     }
     write_report(job, report);
