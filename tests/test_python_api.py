@@ -180,3 +180,15 @@ def test_info_and_compare(tmp_path):
     assert measured["relative_rms"] == pytest.approx(np.sqrt(0.25**2 / 64) / 0.5)
     with pytest.raises(burnish.SizeMismatch):
         burnish.compare(a, a[:4])
+
+
+def test_arrays_need_no_camera_where_positions_tell_it():
+    given = burnish.composite(scenes.sphere(128, 96), scenes.gradient_sky(), "chrome", camera=scenes.CAMERA)
+    found = burnish.composite(scenes.sphere(128, 96), scenes.gradient_sky(), "chrome")
+    assert "recovered" in found["report"]["camera"]
+    assert np.allclose(found["overlay"], given["overlay"], rtol=1e-2, atol=1e-3)
+
+
+def test_flat_arrays_without_a_camera_ask_for_one():
+    with pytest.raises(burnish.MissingChannel, match="camera"):
+        burnish.composite(scenes.plane(), scenes.gradient_sky(), "chrome")

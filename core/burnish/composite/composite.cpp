@@ -36,7 +36,7 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
     const auto* irradiance = frame.find(Role::irradiance);
     if (!irradiance)
         throw Error(ErrorCode::missing_channel,
-                    frame.file +
+                    frame.label() +
                         ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
                         "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
     Image diffuse = modulated_sum(irradiance, nullptr, albedo);
@@ -59,13 +59,13 @@ Image rendered_specular(const AovFrame& frame) {
     const Image *direct = frame.find(Role::specular_direct), *indirect = frame.find(Role::specular_indirect);
     if (!direct && !indirect)
         throw Error(ErrorCode::missing_channel,
-                    frame.file +
+                    frame.label() +
                         ": no rendered specular to replace (looked for specular_direct, specular_indirect). "
                         "Name them with --channel specular_direct=LAYER, or use --mode add");
     const Image* albedo = frame.find(Role::specular_albedo);
     if (frame.divided_by_albedo && !albedo)
         throw Error(ErrorCode::missing_channel,
-                    frame.file +
+                    frame.label() +
                         ": the specular passes are divided by their colour, and the colour is missing. "
                         "Name it with --channel specular_albedo=LAYER");
     return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);

@@ -14,8 +14,8 @@ const Image& AovFrame::layer(Role role) const {
     const bool camera_helps = role == Role::position && find(Role::depth);
     const std::string has = metadata ? metadata->layers : "";
     throw Error(ErrorCode::missing_channel,
-                (file.empty() ? "frame" : file) + ": no " + name + " layer (" + std::string(info.help) + "); looked for " +
-                    aliases + "; the file has " + (has.empty() ? "none" : has) + "; name it with --channel " + name + "=NAME" +
+                label() + ": no " + name + " layer (" + std::string(info.help) + "); looked for " + aliases +
+                    "; the file has " + (has.empty() ? "none" : has) + "; name it with --channel " + name + "=NAME" +
                     (camera_helps ? ", or give a camera for the depth there is: --camera FILE" : ""));
 }
 

@@ -37,6 +37,8 @@ struct AovFrame {
     std::vector<std::string> notes;  // what was found and why, one line each, for `info` and the report
     std::vector<std::string> warnings;
 
+    /// What messages call the frame: its file, or "frame" for one made of arrays.
+    std::string label() const { return file.empty() ? "frame" : file; }
     bool has(Role role) const { return layers.count(role) != 0; }
     /// The layer that fills `role`, or null.
     const Image* find(Role role) const {

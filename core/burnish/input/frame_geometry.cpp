@@ -9,6 +9,7 @@ namespace burnish {
 namespace {
 
 std::optional<Camera> camera_of_header(AovFrame& frame, const Image* position, const Image* valid) {
+    if (!frame.metadata) return std::nullopt;  // a frame of arrays has no header
     const float pixel_aspect = static_cast<float>(number_attribute(*frame.metadata, "PixelAspectRatio").value_or(1.0));
     std::string note;
     std::optional<Camera> camera = header_camera(camera_header(*frame.metadata), position, valid, frame.data_window,

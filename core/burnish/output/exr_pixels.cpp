@@ -46,10 +46,11 @@ void write_pixels(OIIO::ImageOutput& output, const AtomicFile& target, const std
 void write_layers(const std::string& file, const OIIO::ImageSpec& spec, const std::vector<OutputLayer>& layers) {
     AtomicFile target(file);
     OIIO::Filesystem::IOFile stream(target.handle(), OIIO::Filesystem::IOProxy::Write);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr", &stream);
+    std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr", &stream);
     if (!output || !output->open(file, spec)) target.fail(output ? output->geterror() : OIIO::geterror());
     write_pixels(*output, target, layers);
     if (!output->close()) target.fail(output->geterror());
+    output.reset();  // textures stay open after close(); the writer must be gone before its stream is
     target.commit();
 }
 

@@ -37,7 +37,7 @@ Surfaces::Surfaces(const AovFrame& frame, const Assignment& assignment, const Su
       m_position(&frame.layer(Role::position)),
       m_normal(&frame.layer(Role::normal)) {
     if (!frame.camera)
-        throw Error(ErrorCode::missing_channel, frame.file +
+        throw Error(ErrorCode::missing_channel, frame.label() +
                                                     ": no camera, and none could be recovered from the position layer. "
                                                     "Give one in the shot file or with --camera FILE");
     m_eye = frame.camera->centre;
