@@ -40,7 +40,7 @@ NamedObjects find_objects(const std::vector<Cryptomatte>& cryptomattes, const st
 
 [[noreturn]] void fail_missing(const AovFrame& frame, const AssignRule& rule, size_t index, const std::string& what,
                                const std::string& remedy) {
-    throw Error(ErrorCode::missing_channel, frame.file + ": assign[" + std::to_string(index) + "] (material " + rule.material +
+    throw Error(ErrorCode::missing_channel, frame.label() + ": assign[" + std::to_string(index) + "] (material " + rule.material +
                                                 ") needs " + what + ", which the frame does not have; " + remedy);
 }
 
