@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace burnish {
 
@@ -56,6 +57,15 @@ private:
         return layer;
     }
 };
+
+/// The one frame that tests read from; made once.
+inline const SyntheticFrame& scene() {
+    static const SyntheticFrame frame;
+    return frame;
+}
+
+inline constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 inline std::vector<std::string> rgb(const std::string& layer) { return {layer + ".R", layer + ".G", layer + ".B"}; }
 inline std::vector<std::string> xyz(const std::string& layer) { return {layer + ".X", layer + ".Y", layer + ".Z"}; }

@@ -12,18 +12,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 
 namespace burnish {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-const SyntheticFrame& scene() {
-    static const SyntheticFrame frame;
-    return frame;
-}
 
 AovFrame round_trip(const std::vector<SyntheticPart>& parts, const ReadOptions& options = {}) {
     const Scratch scratch;

@@ -12,11 +12,6 @@
 namespace burnish {
 namespace {
 
-const SyntheticFrame& scene() {
-    static const SyntheticFrame frame;
-    return frame;
-}
-
 const std::vector<std::string> kRgba = {"R", "G", "B", "A"};
 
 /// Position and normal come back exactly, the camera is recovered, and the normal faces it.

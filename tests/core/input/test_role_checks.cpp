@@ -5,18 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace burnish {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-const SyntheticFrame& scene() {
-    static const SyntheticFrame frame;
-    return frame;
-}
 
 Image encoded(const Image& normal) {
     return SyntheticFrame::mapped(normal, [](const Vec3f& n) { return (n + Vec3f(1.0f)) * 0.5f; });

@@ -2,31 +2,14 @@
 #include <burnish/base/parallel.h>
 #include <burnish/scene/gbuffer.h>
 
+#include <core/scene/ball_view.h>
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 
 namespace burnish {
 namespace {
-
-constexpr int kWidth = 160, kHeight = 90;
-
-struct View {
-    Scene scene;
-    Camera camera;
-
-    View() {
-        Matrix44f lift;
-        lift.setTranslation(Vec3f(0.3f, 0, 1));
-        scene.objects.push_back({"floor", "", make_plane(4, 4), 3, 1, Color3f(0.5f), 0.25f});
-        scene.objects.push_back({"ball", "", transformed(make_sphere(1, 512), lift), 7, 2, Color3f(0.5f), 0.75f});
-        camera.centre = {0.5f, -6, 2};
-        camera.axis = Vec3f(0, 1, -0.2f).normalized();
-        camera.right = {0.6f, 0, 0};
-        camera.up = camera.right.cross(camera.axis) * (9.0f / 16);
-        camera.has_rays = true;
-    }
-};
 
 float number(const AovFrame& frame, Role role, size_t pixel) { return *frame.layer(role).at(pixel); }
 Vec3f vector(const AovFrame& frame, Role role, size_t pixel) {
@@ -35,7 +18,7 @@ Vec3f vector(const AovFrame& frame, Role role, size_t pixel) {
 }
 
 TEST(Gbuffer, PositionLiesOnThePixelsRayAtItsPlanarDepth) {
-    const View view;
+    const BallView view;
     const Tracer tracer(view.scene);
     const AovFrame frame = trace_gbuffer(tracer, view.camera, kWidth, kHeight, {});
     size_t hits = 0;
@@ -54,7 +37,7 @@ TEST(Gbuffer, PositionLiesOnThePixelsRayAtItsPlanarDepth) {
 }
 
 TEST(Gbuffer, LayersBelongToTheObjectThatWasHit) {
-    const View view;
+    const BallView view;
     const Tracer tracer(view.scene);
     const AovFrame frame = trace_gbuffer(tracer, view.camera, kWidth, kHeight, {});
     size_t seen[3] = {};
@@ -82,7 +65,7 @@ TEST(Gbuffer, LayersBelongToTheObjectThatWasHit) {
 }
 
 TEST(Gbuffer, IsTheSameForAnyThreadCount) {
-    const View view;
+    const BallView view;
     const auto traced = [&](int threads) {
         const ThreadLimit limit(threads);
         const Tracer tracer(view.scene);

@@ -3,6 +3,8 @@
 #include <burnish/scene/gbuffer.h>
 #include <burnish/scene/object_matte.h>
 
+#include <core/scene/ball_view.h>
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,27 +12,8 @@
 namespace burnish {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 90;
-
-struct View {
-    Scene scene;
-    Camera camera;
-
-    View() {
-        Matrix44f lift;
-        lift.setTranslation(Vec3f(0.3f, 0, 1));
-        scene.objects.push_back({"floor", "", make_plane(4, 4), 3, 1, Color3f(0.5f), 0.25f});
-        scene.objects.push_back({"ball", "", transformed(make_sphere(1, 512), lift), 7, 2, Color3f(0.5f), 0.75f});
-        camera.centre = {0.5f, -6, 2};
-        camera.axis = Vec3f(0, 1, -0.2f).normalized();
-        camera.right = {0.6f, 0, 0};
-        camera.up = camera.right.cross(camera.axis) * (9.0f / 16);
-        camera.has_rays = true;
-    }
-};
-
 TEST(ObjectMatte, CoversTheDiscOfASphereByItsArea) {
-    const View view;
+    const BallView view;
     const Tracer tracer(view.scene);
     const Cryptomatte matte = trace_object_matte(tracer, view.camera, kWidth, kHeight, 4, 4, "CryptoObject", {});
     ASSERT_EQ(matte.manifest.at("ball"), cryptomatte_id("ball"));
@@ -44,7 +27,7 @@ TEST(ObjectMatte, CoversTheDiscOfASphereByItsArea) {
 }
 
 TEST(ObjectMatte, RanksFallAndSumToTheShareThatHitsAnything) {
-    const View view;
+    const BallView view;
     const Tracer tracer(view.scene);
     const Cryptomatte matte = trace_object_matte(tracer, view.camera, kWidth, kHeight, 4, 4, "CryptoObject", {});
     size_t mixed = 0;
