@@ -44,7 +44,8 @@ LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radi
 /// border = 0 takes the measured default for the count, `default_border`.
 LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of);
 
-/// xi0 that measured best with n samples on stress lights and real HDRs (tests/bench/estimator_error tabulates it).
-float default_border(int samples);
+/// xi0 that measured best with n samples on stress lights and real HDRs (tests/bench/estimator_error): a long tail, as of
+/// GGX, holds energy that only samples far out see, and wants a lower border than a Gaussian lobe.
+float default_border(int samples, const RadiusOf& radius_of);
 
 }  // namespace burnish

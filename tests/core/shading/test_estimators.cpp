@@ -84,10 +84,10 @@ TEST(WhiteFurnace, ReferenceIsTheDirectionalAlbedo) {
 }
 
 TEST(WhiteFurnace, RegularKeepsTheAlbedoUpToSixtyDegrees) {
-    // As the defaults have it, and the plain quadrature in the source's own setting: no shadowing (Kurt with alpha 0), border 0.1.
+    // With the albedo table and without, in the source's own setting: no shadowing (Kurt with alpha 0).
     const Environment light = light_of(scenes::constant_light(1));
     EstimatorSettings plain = estimator(EstimatorKind::regular);
-    plain.albedo_correction = false, plain.border = 0.1f;
+    plain.albedo_correction = false;
     for (const EstimatorSettings& settings : {estimator(EstimatorKind::regular), plain})
         for (const float m : {0.02f, 0.05f, 0.1f, 0.2f}) {
             LobeParameters p = lobe(ModelId::kurt, m, m);
