@@ -192,3 +192,14 @@ def test_arrays_need_no_camera_where_positions_tell_it():
 def test_flat_arrays_without_a_camera_ask_for_one():
     with pytest.raises(burnish.MissingChannel, match="camera"):
         burnish.composite(scenes.plane(), scenes.gradient_sky(), "chrome")
+
+
+def test_replace_leaves_pixels_it_cannot_shade_as_they_were():
+    frame = scenes.sphere()
+    frame["specular_direct"] = np.full(frame["normal"].shape, 0.1, np.float32)
+    broken = (24, 32)
+    frame["normal"][broken] *= -1
+    layers = burnish.composite(frame, scenes.gradient_sky(), "chrome", camera=scenes.CAMERA, mode="replace")
+    assert layers["validity"][broken] != 0
+    assert np.array_equal(layers["beauty"][broken], frame["beauty"][broken])
+    assert not np.array_equal(layers["beauty"][24, 33], frame["beauty"][24, 33])

@@ -2,6 +2,8 @@
 
 #include <burnish/base/error.h>
 
+#include <cmath>
+
 namespace burnish {
 namespace {
 
@@ -28,7 +30,7 @@ Image modulated_sum(const Image* direct, const Image* indirect, const Image* fac
     return sum;
 }
 
-/// The diffuse part (methods 1): the renderer's passes, or kd/pi * E * albedo from an irradiance layer.
+/// The diffuse part: the renderer's passes, or kd/pi * E * albedo from an irradiance layer.
 Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const std::vector<Color3f>& kd) {
     const Image *direct = frame.find(Role::diffuse_direct), *indirect = frame.find(Role::diffuse_indirect);
     const Image* albedo = frame.find(Role::diffuse_albedo);
@@ -49,8 +51,9 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
 
 /// What one pixel's overlay is multiplied with: coverage keeps edges premultiplied, the mask is the user's.
 float pixel_weight(const AovFrame& frame, const Assignment& assignment, size_t pixel) {
-    const Image* mask = frame.find(Role::mask);
-    return assignment.coverage[pixel] * (mask ? *mask->at(pixel) : 1.0f);
+    const Image* layer = frame.find(Role::mask);
+    const float mask = layer ? *layer->at(pixel) : 1.0f;
+    return std::isfinite(mask) ? assignment.coverage[pixel] * mask : 0.0f;
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Composite {
     Image diffuse;  // RGB, only where the base is the diffuse part; else empty
 };
 
+/// `assignment`: its coverage is 0 where nothing was shaded, so that `replace` leaves those pixels as they were rendered.
 /// `kd`: per rule, for the diffuse part kd/pi * E * albedo from an irradiance layer. `old_overlay`: for `difference`.
 /// Throws Error(missing_channel) when the mode's layers are absent.
 Composite composite(const AovFrame& frame, const Assignment& assignment, const Image& overlay, const Image* old_overlay,

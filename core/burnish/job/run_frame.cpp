@@ -41,6 +41,13 @@ void count_pixels(const Surfaces& surfaces, const Assignment& assignment, const 
     if (surfaces.counts()[0] == 0) report.warnings.push_back("no pixel was shaded: see the counts under pixels");
 }
 
+/// Coverage only where a pixel was shaded: elsewhere there is no overlay that could take the rendered specular's place.
+Assignment covering_shaded(Assignment assignment, const Surfaces& surfaces) {
+    for (size_t i = 0; i < assignment.coverage.size(); ++i)
+        if (surfaces.validity(i) != Validity::valid) assignment.coverage[i] = 0;
+    return assignment;
+}
+
 Image validity_image(const Surfaces& surfaces, int width, int height) {
     Image image(width, height, 1);
     for (size_t i = 0; i < image.pixel_count(); ++i) *image.at(i) = static_cast<float>(surfaces.validity(i));
@@ -81,8 +88,8 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, c
     });
     report.lookups = result.shaded.lookups + old.lookups;
     result.composite = timed(report.seconds, "composite", [&] {
-        return composite(frame, assignment, result.shaded.overlay, difference ? &old.overlay : nullptr, look.wardrobe.kd,
-                         job.composite);
+        return composite(frame, covering_shaded(assignment, surfaces), result.shaded.overlay,
+                         difference ? &old.overlay : nullptr, look.wardrobe.kd, job.composite);
     });
     return result;
 }

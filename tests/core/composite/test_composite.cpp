@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace burnish;
 
 namespace {
@@ -49,6 +51,15 @@ TEST(Composite, GainTintMaskAndCoverageMultiplyTheOverlay) {
     EXPECT_FLOAT_EQ(out.overlay.at(5)[1], 2 * 3 * 0.5f * 0.5f * 0.5f);
     EXPECT_FLOAT_EQ(out.overlay.at(5)[2], 0);
     EXPECT_FLOAT_EQ(out.beauty.at(5)[0], 0.3f + 1.5f);
+}
+
+TEST(Composite, BrokenMaskPixelsHideTheOverlay) {
+    AovFrame frame = beauty_frame();
+    frame.layers[Role::mask] = filled(1, 1);
+    *frame.layers[Role::mask].at(size_t{5}) = std::numeric_limits<float>::quiet_NaN();
+    const Composite out = composite(frame, covered(1), filled(3, 2), nullptr, {Color3f(0, 0, 0)}, {});
+    EXPECT_EQ(out.beauty.at(5)[0], frame.layers.at(Role::beauty).at(5)[0]);
+    EXPECT_FLOAT_EQ(out.beauty.at(6)[0], 0.3f + 2);
 }
 
 TEST(Composite, ReplaceTakesTheRenderedSpecularOut) {
