@@ -82,7 +82,7 @@ void add_quality(std::vector<Setting>& table) {
                                          {"line", PatternKind::line}},
                                         "shape of the regular pattern; auto: circles, or a line where the lobe is very long"));
     table.push_back(number({"border", "quality", "border"}, AT(estimator.border), {0, 0.999}, "",
-                           "where the lobe ends, its density relative to the peak; 0: by sample count"));
+                           "where the lobe ends: share of its energy left beyond; 0: by sample count"));
     table.push_back(choice<Quadrature>({"quadrature", "quality", "quadrature"}, AT(estimator.quadrature),
                                        {{"half_vector", Quadrature::half_vector},
                                         {"energy", Quadrature::energy},

@@ -201,9 +201,9 @@ struct Environment::Builder {
 
 Environment Environment::load(const std::string& file, const EnvironmentSettings& settings, const Conversion& convert) {
     check_settings(settings, file);
-    for (const std::string placeholder : {"{face}", "%s"}) {
-        const size_t at = file.find(placeholder);
-        if (at != std::string::npos) return Builder::build(six_files(file, at, placeholder.size(), convert), settings, file);
+    for (const std::string token : {"{face}", "%s"}) {
+        const size_t at = file.find(token);
+        if (at != std::string::npos) return Builder::build(six_files(file, at, token.size(), convert), settings, file);
     }
     Picture picture = read_picture(file);
     return Builder::build(laid_out(std::move(picture.rgb), picture.tag, file, convert), settings, file);

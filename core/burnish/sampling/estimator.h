@@ -17,7 +17,7 @@ struct EstimatorSettings {
     EstimatorKind kind = EstimatorKind::regular;
     int samples = 19;  // lookups per lobe; `regular` takes the pattern nearest to it
     PatternKind pattern = PatternKind::automatic;
-    float border = 0.0f;  // xi0: where the lobe ends, D relative to its peak, (0, 1); 0 = by sample count
+    float border = 0.0f;  // xi0: the lobe ends where this share of its energy lies beyond, (0, 1); 0 = by sample count
     Quadrature quadrature = Quadrature::half_vector;
     float level_bias = -0.9f;       // MIP levels added to the footprint rule
     bool albedo_correction = true;  // tabulated true / estimated albedo, the cure for grazing angles

@@ -13,8 +13,6 @@ constexpr double kPi2 = 2 * std::numbers::pi;
 constexpr int kMaxCircles = 256;
 constexpr float kExtremeAspect = 8.0f;  // beyond it a line covers the lobe better than circles (tests/bench)
 
-double border_radius(float border) { return std::sqrt(-std::log(static_cast<double>(border))); }
-
 /// Samples of one circle of radius r about the wider axis, in normalised slopes of a lobe with this aspect; they share `area`.
 LobePattern circle(double r, int count, double turn, float aspect, double area) {
     LobePattern samples;
@@ -84,7 +82,7 @@ LobePattern nearest_circles(PatternKind kind, int samples, float aspect, float b
 }  // namespace
 
 LobePattern circle_pattern(int circles, int first, bool centred, float aspect, float border, const RadiusOf& radius_of) {
-    const double radius = border_radius(border), first_radius = centred ? 1.0 : std::numbers::sqrt2 / 2;
+    const double radius = gaussian_radius(border), first_radius = centred ? 1.0 : std::numbers::sqrt2 / 2;
     const double spacing = radius / (centred ? circles - 0.5 : circles - 0.5 + first_radius);
     LobePattern pattern;
     if (centred) pattern.push_back({0, 0, static_cast<float>(std::numbers::pi * spacing * spacing / 4)});
@@ -101,14 +99,14 @@ LobePattern circle_pattern(int circles, int first, bool centred, float aspect, f
 }
 
 LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of) {
-    const double radius = border_radius(border), area = std::numbers::pi * radius * radius / n;
-    LobePattern pattern = circle(border_radius(0.6f), n - 1, 0.0, 1.0f, area * (n - 1));
+    const double radius = gaussian_radius(border), area = std::numbers::pi * radius * radius / n;
+    LobePattern pattern = circle(gaussian_radius(0.6f), n - 1, 0.0, 1.0f, area * (n - 1));
     pattern.insert(pattern.begin(), {0, 0, static_cast<float>(area)});
     return stretched(std::move(pattern), radius_of);
 }
 
 LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of) {
-    const double radius = border_radius(border), step = 2 * radius / n;
+    const double radius = gaussian_radius(border), step = 2 * radius / n;
     const float area = static_cast<float>(step * std::sqrt(std::numbers::pi));  // the narrow profile exp(-v^2) has this width
     LobePattern pattern;
     for (int k = 0; k < n; ++k) {

@@ -31,7 +31,8 @@ float gaussian_radius(float xi);
 /// units of its spacing. For Gaussian lobes q_i ~ w_i, the source's rule: three circles (the centre counted) give 19 and 30.
 /// Anisotropic lobes, `aspect` = mx/my != 1: circles about the wider axis; samples beyond the border are dropped, and each circle
 /// is turned by half a step if that keeps the larger sum of densities.
-/// border  xi0, density at the border relative to the peak, in (0, 1).
+/// border  xi0, share of the lobe's energy beyond the border, in (0, 1); for Gaussian lobes also the density there
+///         relative to the peak, as the source has it.
 LobePattern circle_pattern(int circles, int first, bool centred, float aspect, float border, const RadiusOf& radius_of);
 
 /// One sample at the centre and n - 1 on a ring at 40 % of the border's energy, xi = 0.6 (Walkthrough 4.4.3). n >= 2.
@@ -44,8 +45,8 @@ LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radi
 /// border = 0 takes the measured default for the count, `default_border`.
 LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of);
 
-/// xi0 that measured best with n samples on stress lights and real HDRs (tests/bench/estimator_error): a long tail, as of
-/// GGX, holds energy that only samples far out see, and wants a lower border than a Gaussian lobe.
+/// xi0 for n samples, between what measured best on stress lights with rough lobes and on a real HDR with smooth ones
+/// (docs/measured.md). A long tail, as of GGX, holds energy that only samples far out see, and wants a lower border.
 float default_border(int samples, const RadiusOf& radius_of);
 
 }  // namespace burnish
