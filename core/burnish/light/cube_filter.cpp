@@ -230,7 +230,7 @@ void CubeFilter::balance() {
     m_coarse_weight = whole_face(quotient(a, m_coarse));
 }
 
-CubeLevel CubeFilter::coarser(const CubeLevel& fine) {
+void CubeFilter::coarser(const CubeLevel& fine, CubeLevel& coarse) {
     if (fine.size() > 2) {
         m_coarse = summed_by_four(m_fine);
         balance();
@@ -238,7 +238,6 @@ CubeLevel CubeFilter::coarser(const CubeLevel& fine) {
         m_fine_weight.assign(4, 1.0f);
         m_coarse_weight.assign(1, 1.0f);
     }
-    CubeLevel coarse(fine.size() / 2);
     const int n = coarse.size(), bands = (n + kBandRows - 1) / kBandRows;
     for_each_index(6 * bands, [&](int task) {
         const int first = task % bands * kBandRows;
@@ -247,7 +246,6 @@ CubeLevel CubeFilter::coarser(const CubeLevel& fine) {
     });
     coarse.fill_borders();
     m_fine = std::move(m_coarse);
-    return coarse;
 }
 
 }  // namespace burnish

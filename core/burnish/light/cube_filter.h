@@ -28,8 +28,8 @@ public:
     /// For a pyramid whose finest faces have `size` texels a side.
     CubeFilter(int size, PyramidKernel kernel);
 
-    /// The next level of half the size. Levels must come in order, from the finest on.
-    CubeLevel coarser(const CubeLevel& fine);
+    /// Fills `coarse`, black and of half the size, borders too. Levels must come in order, from the finest on.
+    void coarser(const CubeLevel& fine, CubeLevel& coarse);
 
 private:
     void balance();

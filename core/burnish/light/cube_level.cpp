@@ -9,7 +9,7 @@ void copy_texel(const float* from, float* to) { std::copy_n(from, 4, to); }
 
 }  // namespace
 
-CubeLevel::CubeLevel(const std::array<Image, 6>& faces) : CubeLevel(faces[0].width) {
+void CubeLevel::fill(const std::array<Image, 6>& faces) {
     for_each_index(6 * m_size, [&](int row) {
         const int face = row / m_size, y = row % m_size;
         for (int x = 0; x < m_size; ++x) std::copy_n(faces[face].at(x, y), 3, at(face, x, y));

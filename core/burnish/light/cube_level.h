@@ -6,22 +6,27 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 namespace burnish {
 
 /// RGBA texels (A unused, for alignment), six faces of (size + 2)^2. A border texel is the neighbouring face's texel beyond
 /// the edge; a border corner is the mean of the three texels that meet there, which makes bilinear lookups continuous.
+/// Copies share their texels.
 class CubeLevel {
 public:
     CubeLevel() = default;
-    explicit CubeLevel(int size)
-        : m_size(size),
-          m_stride(size + 2),
-          m_face_texels(static_cast<size_t>(m_stride) * m_stride),
-          m_rgba(m_face_texels * 24) {}
-    /// From six square images of one size, three or more channels (R, G, B first); borders are filled.
-    explicit CubeLevel(const std::array<Image, 6>& faces);
+    explicit CubeLevel(int size) : CubeLevel(size, std::make_shared<float[]>(float_count(size))) {}
+    /// Over float_count(size) floats that someone else allocated.
+    CubeLevel(int size, std::shared_ptr<float[]> rgba)
+        : m_size(size), m_stride(size + 2), m_face_texels(static_cast<size_t>(m_stride) * m_stride), m_rgba(std::move(rgba)) {}
+    /// From six square images of one size, see `fill`.
+    explicit CubeLevel(const std::array<Image, 6>& faces) : CubeLevel(faces[0].width) { fill(faces); }
+
+    /// Takes the texels from six images of this level's size, three or more channels (R, G, B first); fills the borders.
+    void fill(const std::array<Image, 6>& faces);
+
+    static size_t float_count(int size) { return static_cast<size_t>(size + 2) * (size + 2) * 24; }
 
     int size() const { return m_size; }
 
@@ -50,7 +55,7 @@ private:
 
     int m_size = 0, m_stride = 0;
     size_t m_face_texels = 0;
-    std::vector<float> m_rgba;
+    std::shared_ptr<float[]> m_rgba;
 };
 
 }  // namespace burnish

@@ -24,15 +24,17 @@ void check_faces(const std::array<Image, 6>& faces) {
 
 CubePyramid::CubePyramid(const std::array<Image, 6>& faces, PyramidKernel kernel) {
     check_faces(faces);
-    m_levels.emplace_back(faces);
-    CubeFilter filter(faces[0].width, kernel);
-    while (m_levels.back().size() > 1) m_levels.push_back(filter.coarser(m_levels.back()));
-    m_last_level = static_cast<float>(m_levels.size() - 1);
+    std::vector<int> sizes;
+    for (int size = faces[0].width; size > 0; size /= 2) sizes.push_back(size);
+    m_stack = CubeStack(sizes);
+    m_stack[0].fill(faces);
+    CubeFilter filter(sizes[0], kernel);
+    for (int level = 1; level < level_count(); ++level) filter.coarser(m_stack[level - 1], m_stack[level]);
     m_texels_per_area = 0.25f * static_cast<float>(face_size()) * static_cast<float>(face_size());
 }
 
 Color3f CubePyramid::texel(int level, int face, int x, int y) const {
-    const float* rgba = m_levels[level].at(face, x, y);
+    const float* rgba = m_stack[level].at(face, x, y);
     return {rgba[0], rgba[1], rgba[2]};
 }
 

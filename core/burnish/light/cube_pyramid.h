@@ -4,7 +4,7 @@
 // the image: +X(+Z,+Y) -X(-Z,+Y) +Y(+X,+Z) -Y(+X,-Z) +Z(-X,+Y) -Z(+X,+Y). Texel centres are at +0.5.
 #pragma once
 
-#include <burnish/light/cube_level.h>
+#include <burnish/light/cube_stack.h>
 
 namespace burnish {
 
@@ -17,21 +17,12 @@ public:
     /// From six square RGB faces (N x N x 3, N a power of two). Throws Error(bad_argument).
     CubePyramid(const std::array<Image, 6>& faces, PyramidKernel kernel);
 
-    int face_size() const { return m_levels.empty() ? 0 : m_levels[0].size(); }
-    int level_count() const { return static_cast<int>(m_levels.size()); }
+    int face_size() const { return level_count() > 0 ? m_stack[0].size() : 0; }
+    int level_count() const { return m_stack.level_count(); }
 
-    /// Radiance around unit direction d at a MIP level (0 = finest; clamped to the pyramid), trilinear, across faces
-    /// without a seam. The pyramid must not be empty.
-    Color3f lookup(const Vec3f& d, float level) const {
-        const CubeCoord c = cube_coord(d);
-        const float clamped = std::min(std::max(0.0f, level), m_last_level);
-        const int fine = static_cast<int>(clamped);
-        const float blend = clamped - static_cast<float>(fine);
-        float sum[4] = {0, 0, 0, 0};
-        m_levels[fine].add_bilinear(c, 1.0f - blend, sum);
-        if (blend > 0.0f) m_levels[fine + 1].add_bilinear(c, blend, sum);
-        return {sum[0], sum[1], sum[2]};
-    }
+    const CubeStack& stack() const { return m_stack; }
+    /// Radiance around unit direction d at a MIP level (0 = finest), see CubeStack::lookup.
+    Color3f lookup(const Vec3f& d, float level) const { return m_stack.lookup(d, level); }
 
     /// The level at which a texel covers `solid_angle` steradian around d (Regular eq. 16):
     /// log4( (N^2 / 4) solid_angle s^3 ), s = |d| / max |d_k|; may be negative.
@@ -45,8 +36,7 @@ public:
     Color3f texel(int level, int face, int x, int y) const;
 
 private:
-    std::vector<CubeLevel> m_levels;
-    float m_last_level = 0.0f;       // level_count - 1
+    CubeStack m_stack;
     float m_texels_per_area = 0.0f;  // N^2 / 4: texels per unit area of the cube [-1, 1]^3
 };
 

@@ -1,0 +1,41 @@
+// The levels of a filtered cube map in one block of memory: what every filtered lookup reads, scalar or SIMD.
+//
+// A stack knows nothing of how its levels were filtered. What a level number means is said by who fills it: CubePyramid
+// (MIP levels, by solid angle) or GaussianStack (by the width of a spherical Gaussian).
+#pragma once
+
+#include <burnish/light/cube_level.h>
+
+#include <span>
+#include <vector>
+
+namespace burnish {
+
+class CubeStack {
+public:
+    CubeStack() = default;
+    /// Black levels of these face sizes, finest first.
+    explicit CubeStack(std::span<const int> sizes);
+
+    int level_count() const { return static_cast<int>(m_levels.size()); }
+    CubeLevel& operator[](int level) { return m_levels[level]; }
+    const CubeLevel& operator[](int level) const { return m_levels[level]; }
+
+    /// Radiance around direction d (any length) at a fractional level, clamped to the stack; bilinear in the faces, linear
+    /// between levels, without a seam. The stack must not be empty.
+    Color3f lookup(const Vec3f& d, float level) const {
+        const CubeCoord c = cube_coord(d);
+        const float clamped = std::min(std::max(0.0f, level), static_cast<float>(level_count() - 1));
+        const int fine = static_cast<int>(clamped);
+        const float blend = clamped - static_cast<float>(fine);
+        float sum[4] = {0, 0, 0, 0};
+        m_levels[fine].add_bilinear(c, 1.0f - blend, sum);
+        if (blend > 0.0f) m_levels[fine + 1].add_bilinear(c, blend, sum);
+        return {sum[0], sum[1], sum[2]};
+    }
+
+private:
+    std::vector<CubeLevel> m_levels;
+};
+
+}  // namespace burnish
