@@ -41,6 +41,12 @@ inline CubeCoord cube_coord(const Vec3f& d) {
     return {face, std::min(std::max(0.0f, x), 1.0f), std::min(std::max(0.0f, y), 1.0f)};
 }
 
+/// log2(|d| / max |d_k|): how much further than its centre a place on the face is away, in octaves; 0 to 0.79.
+inline float cube_distortion(const Vec3f& d) {
+    const float largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+    return 0.5f * std::log2(d.length2() / (largest * largest));
+}
+
 /// The unit direction through a place on a face: the inverse of `cube_coord`.
 Vec3f cube_direction(int face, float x, float y);
 

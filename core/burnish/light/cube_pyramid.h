@@ -26,11 +26,11 @@ public:
 
     /// The level at which a texel covers `solid_angle` steradian around d (Regular eq. 16):
     /// log4( (N^2 / 4) solid_angle s^3 ), s = |d| / max |d_k|; may be negative.
-    float level(const Vec3f& d, float solid_angle) const {
-        const float largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-        const float s2 = d.length2() / (largest * largest);
-        return 0.5f * std::log2(m_texels_per_area * solid_angle * s2 * std::sqrt(s2));
-    }
+    float level(const Vec3f& d, float solid_angle) const { return level(solid_angle) + kDistortion * cube_distortion(d); }
+    /// The same at a face's centre, s = 1.
+    float level(float solid_angle) const { return 0.5f * std::log2(m_texels_per_area * solid_angle); }
+    /// Levels per octave of s.
+    static constexpr float kDistortion = 1.5f;
 
     /// RGB of a texel, x and y in [-1, size] (one bordering texel on each side).
     Color3f texel(int level, int face, int x, int y) const;

@@ -5,21 +5,29 @@
 #include <burnish/material/lobe.h>
 #include <burnish/sampling/sequence.h>
 #include <burnish/shading/shading_point.h>
+#include <burnish/shading/tap.h>
+
+#include <span>
 
 namespace burnish {
 
-/// `look(wi, Omega)` gives filtered radiance.
-template <class LobeType, class Look>
-Color3f filtered_importance_estimate(const LobeType& lobe, int samples, const ShadingPoint& point, const Look& look) {
-    Color3f sum(0, 0, 0);
-    for (int i = 0; i < samples; ++i) {
-        const Vec3f wi = lobe.sample(point.wo, hammersley(i, samples));
-        const float cos_i = wi.z * lobe.side_sign, pdf = lobe.pdf(point.wo, wi);
-        if (cos_i <= 0 || pdf <= 0 || !point.sees(wi, lobe.side_sign)) continue;
-        const float share = 1 / (samples * pdf);
-        sum += lobe.eval(point.wo, wi) * (cos_i * share) * look(wi, share);
+/// wi, or the direction just above the horizon where it is below: what a tap without weight takes its level from.
+inline Vec3f lifted(const Vec3f& wi, float side_sign) {
+    constexpr float kLowest = 2 * kMinCosine;
+    return wi.z * side_sign >= kLowest ? wi : Vec3f(wi.x, wi.y, kLowest * side_sign).normalized();
+}
+
+/// Writes one tap per sample, taps.size() samples. `level_of(Omega)` gives the level that filters over Omega steradian.
+template <class LobeType, class LevelOf>
+void filtered_importance_taps(const LobeType& lobe, const ShadingPoint& point, const LevelOf& level_of, std::span<Tap> taps) {
+    const uint32_t samples = static_cast<uint32_t>(taps.size());
+    for (uint32_t i = 0; i < samples; ++i) {
+        const Vec3f wi = lobe.sample(point.wo, hammersley(i, samples)), above = lifted(wi, lobe.side_sign);
+        const float cos_i = wi.z * lobe.side_sign, pdf = lobe.pdf(point.wo, above);
+        const float share = std::min(1 / (static_cast<float>(samples) * pdf), 4 * kPi);  // the whole sphere at the most
+        taps[i] = {wi, level_of(share), Color3f(0, 0, 0)};
+        if (cos_i > 0 && pdf > 0) taps[i].weight = lobe.eval(point.wo, wi) * (cos_i * share);
     }
-    return sum;
 }
 
 }  // namespace burnish

@@ -1,51 +1,46 @@
 #include <burnish/shading/material_shader.h>
 
 #include <burnish/material/lobe.h>
-#include <burnish/shading/albedo_ratio.h>
-#include <burnish/shading/filtered_importance.h>
-#include <burnish/shading/pattern_bank.h>
 #include <burnish/shading/reference.h>
-#include <burnish/shading/regular.h>
+#include <burnish/shading/tap_rule.h>
+#include <burnish/shading/tap_table.h>
+
+#include <optional>
 
 namespace burnish {
 
 struct MaterialShader::LobeShader {
     LobeShader(const LobeParameters& parameters, const Environment& environment, const EstimatorSettings& estimator)
-        : lobe(parameters), settings(estimator), light(environment), patterns(parameters, estimator) {
-        if (!settings.albedo_correction || settings.kind == EstimatorKind::reference) return;
-        const auto constant_light = [](const Vec3f&, float) { return Color3f(1, 1, 1); };
-        ratio = AlbedoRatio(lobe, [&](const ShadingPoint& point) {
-            return visit_lobe(
-                lobe, [&](const auto& own) { return few_samples(own.with_widths(point.mx, point.my), point, constant_light); });
-        });
+        : lobe(parameters), settings(estimator), light(environment) {
+        if (settings.kind == EstimatorKind::reference) return;
+        rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
+        if (TapTable::covers(lobe)) table = TapTable(lobe, rule->tap_count(lobe.mx, lobe.my), *rule);
     }
 
-    /// The two few-sample estimators differ in nothing but this call.
-    template <class LobeType, class Look>
-    Color3f few_samples(const LobeType& own, const ShadingPoint& point, const Look& look) const {
-        if (settings.kind == EstimatorKind::filtered_importance)
-            return filtered_importance_estimate(own, settings.samples, point, look);
-        return regular_estimate(own, patterns.at(point.mx, point.my), settings.quadrature, point, look);
-    }
-
-    int lookups_at(const ShadingPoint& point) const {
-        if (settings.kind == EstimatorKind::filtered_importance) return settings.samples;
-        return static_cast<int>(patterns.at(point.mx, point.my).size());
-    }
-
-    template <class LobeType>
-    void add_filtered(const LobeType& prototype, const SurfaceBatch& batch, ShadedBatch& out) const {
-        const CubePyramid& pyramid = light.pyramid();
+    void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
+        std::vector<Tap> taps;
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
-            const auto look = [&](const Vec3f& wi, float omega) {
-                const Vec3f d = point.frame.to_world(wi);
-                return pyramid.lookup(d, pyramid.level(d, omega) + settings.level_bias);
-            };
-            const Color3f estimate = few_samples(prototype.with_widths(point.mx, point.my), point, look);
-            out.overlay[i] += estimate * point.scale * (light.gain() * ratio.at(point));
-            out.samples[i] += static_cast<float>(lookups_at(point));
+            taps.resize(rule->tap_count(point.mx, point.my));
+            if (TapTable::covers(lobe))
+                table.at(point, taps);
+            else
+                (*rule)(point, taps);
+            out.overlay[i] += gathered(point, taps) * point.scale * light.gain();
+            out.samples[i] += static_cast<float>(taps.size());
         }
+    }
+
+    /// The light through the taps that the geometric surface does not hide.
+    Color3f gathered(const ShadingPoint& point, std::span<const Tap> taps) const {
+        const float side_sign = lobe.side == Side::transmission ? -1.0f : 1.0f;
+        Color3f sum(0, 0, 0);
+        for (const Tap& tap : taps) {
+            if (!point.sees(tap.wi, side_sign)) continue;
+            const Vec3f d = point.frame.to_world(tap.wi);
+            sum += tap.weight * light.pyramid().lookup(d, tap.level + CubePyramid::kDistortion * cube_distortion(d));
+        }
+        return sum;
     }
 
     template <class LobeType>
@@ -65,8 +60,8 @@ struct MaterialShader::LobeShader {
     LobeParameters lobe;
     EstimatorSettings settings;
     const Environment& light;
-    PatternBank patterns;
-    AlbedoRatio ratio;
+    std::optional<TapRule> rule;
+    TapTable table;
 };
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {
@@ -84,12 +79,10 @@ void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
     out.standard_error.assign(reference ? batch.size() : 0, 0.0f);
     for (uint32_t index = 0; index < m_lobes.size(); ++index) {
         const LobeShader& shader = *m_lobes[index];
-        visit_lobe(shader.lobe, [&](const auto& lobe) {
-            if (reference)
-                shader.add_reference(lobe, batch, out, index);
-            else
-                shader.add_filtered(lobe, batch, out);
-        });
+        if (reference)
+            visit_lobe(shader.lobe, [&](const auto& lobe) { shader.add_reference(lobe, batch, out, index); });
+        else
+            shader.add_filtered(batch, out);
     }
 }
 

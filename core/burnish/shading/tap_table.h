@@ -1,0 +1,72 @@
+// The taps of one lobe as a table over the view: what an estimator computes a few hundred times, each pixel interpolates.
+//
+// For a lobe of uniform anisotropy the taps depend on the view alone, and on the width where that comes from a layer. Axes:
+//
+//     view     sqrt(1 - cos_o) - sqrt(cos_o): fine near the normal, where taps move, and at the horizon, where weights do
+//     azimuth  |y| / (|x| + |y|) of wo, one quadrant: frames of anisotropic lobes are mirrored so that wo lies in it
+//     width    sqrt(m), the artist's roughness
+//
+// Directions are kept as half vectors: they move little with the view, not at all for `regular`, and the pixel's own wo
+// turns them into directions again, wi ~ 2 (wo . h) h - (h . h) wo, so mirror reflections stay sharp between nodes.
+#pragma once
+
+#include <burnish/material/parameters.h>
+#include <burnish/shading/shading_point.h>
+#include <burnish/shading/tap.h>
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace burnish {
+
+class TapTable {
+public:
+    /// Writes the taps of the lobe at a point.
+    using Rule = std::function<void(const ShadingPoint& point, std::span<Tap> taps)>;
+
+    /// Whether the taps of this lobe can be tabulated: its anisotropy is uniform.
+    static bool covers(const LobeParameters& lobe) { return !lobe.per_pixel.anisotropy; }
+
+    TapTable() = default;
+    /// A table of weightless taps, to be filled by `set`. `taps` >= 1.
+    TapTable(const LobeParameters& lobe, int taps);
+    /// Filled by `rule`, in parallel.
+    TapTable(const LobeParameters& lobe, int taps, const Rule& rule);
+
+    int tap_count() const { return m_taps; }
+    int node_count() const;
+    /// Where a node lies: wo, mx and my; the frame is the local one, ng = n, scale 1.
+    ShadingPoint node_point(int node) const;
+    void set(int node, std::span<const Tap> taps);
+
+    /// The taps at a point (wo, mx, my), linear between nodes. wo lies in the first quadrant if the lobe is anisotropic.
+    void at(const ShadingPoint& point, std::span<Tap> taps) const;
+
+    /// Fields of a node, each `padded_taps()` floats, one after the other: taps are the lanes of a SIMD kernel.
+    enum Field { h_x, h_y, h_z, level, weight_r, weight_g, weight_b, kFields };
+    int padded_taps() const { return m_padded; }
+    const float* node(int index) const { return &m_data[static_cast<size_t>(index) * m_padded * kFields]; }
+
+    /// One axis: `count` nodes, `stride` nodes apart, the first at `low` and `per_unit` nodes to a unit of the measure.
+    struct Axis {
+        float low = 0, per_unit = 0;
+        int count = 1, stride = 1;
+    };
+    static constexpr int kAxes = 3, kLanes = 8;
+    const std::array<Axis, kAxes>& axes() const { return m_axes; }
+    /// mx / my of the lobe, square root of: mx = m * half_aspect, my = m / half_aspect, both at most 1.
+    float half_aspect() const { return m_half_aspect; }
+    float side_sign() const { return m_side_sign; }
+
+private:
+    float measure(int axis, const ShadingPoint& point) const;
+
+    std::array<Axis, kAxes> m_axes;
+    float m_half_aspect = 1, m_width = 1, m_side_sign = 1;
+    int m_taps = 0, m_padded = 0;
+    std::vector<float> m_data;
+};
+
+}  // namespace burnish
