@@ -1,0 +1,22 @@
+// A lobe as Gaussians over a path of views: every view starts from its neighbour's fit, so that taps move smoothly and a
+// table of them can be interpolated.
+#pragma once
+
+#include <burnish/shading/gaussian_fit.h>
+
+#include <span>
+#include <vector>
+
+namespace burnish {
+
+using GaussianTaps = std::vector<GaussianTap>;
+
+/// The best of a few starts (line_probes of several lengths, and `near` when it is not empty), for the lobe with its own mx, my.
+/// in_plane: lobe and view are symmetric about y = 0.
+GaussianTaps fit_view(const LobeParameters& lobe, const Vec3f& wo, bool in_plane, int taps, const GaussianTaps& near);
+
+/// Fits of all `views`, outwards from views[anchor], whose fit is `start`.
+std::vector<GaussianTaps> fit_path(const LobeParameters& lobe, std::span<const Vec3f> views, bool in_plane, size_t anchor,
+                                   const GaussianTaps& start);
+
+}  // namespace burnish

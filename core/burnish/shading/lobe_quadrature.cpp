@@ -1,0 +1,70 @@
+#include <burnish/shading/lobe_quadrature.h>
+
+#include <burnish/material/lobe.h>
+
+#include <vector>
+
+namespace burnish {
+namespace {
+
+constexpr int kCircles = 24, kAzimuths = 24;
+constexpr float kShareBeyond = 1e-5f;             // of the lobe's slopes that the grid leaves out
+constexpr float kFarthest = 4.0f;                 // slope widths: where taps of a long tail still make a difference
+constexpr float kFinest = 0.4f, kGrazing = 0.1f;  // of the width of the lobe's image, which narrows as the cosine
+
+struct GridPoint {
+    float u, v, area;  // normalised slopes, and their area
+};
+
+/// Circles whose radii grow evenly near the centre and by equal factors in the tail: r = sinh(s), s evenly spaced.
+std::vector<GridPoint> polar_grid(float border, bool half) {
+    const float last = std::asinh(border), step = last / kCircles;
+    const int azimuths = half ? kAzimuths / 2 : kAzimuths;
+    std::vector<GridPoint> grid;
+    for (int circle = 0; circle < kCircles; ++circle) {
+        const float at = (static_cast<float>(circle) + 0.5f) * step, r = std::sinh(at);
+        // The midpoint rule's error is that of its ends; the integrand has a slope only at the centre: step^2 / 24 of it.
+        const float excess = circle == 0 ? step * step / 24 : 0.0f;
+        const float area = (r * std::cosh(at) * step - excess) * 2 * kPi / static_cast<float>(azimuths);
+        for (int i = 0; i < azimuths; ++i) {
+            const float phi = (static_cast<float>(i) + 0.5f) * 2 * kPi / kAzimuths;
+            grid.push_back({r * std::cos(phi), r * std::sin(phi), area});
+        }
+    }
+    return grid;
+}
+
+}  // namespace
+
+LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
+    return visit_lobe(parameters, [&](const auto& lobe) {
+        const std::vector<GridPoint> grid = polar_grid(lobe.border(kShareBeyond), half);
+        const auto count = static_cast<Eigen::Index>(grid.size());
+        LobeQuadrature q;
+        q.x.resize(count), q.y.resize(count), q.z.resize(count), q.root_area.resize(count), q.value.resize(count, 3);
+        Eigen::Index used = 0;
+        Imath::V3d albedo(0);
+        for (const GridPoint& point : grid) {
+            const float sx = point.u * parameters.mx, sy = point.v * parameters.my;
+            const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
+            const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
+            const float wo_h = wo.dot(h);
+            if (wo_h <= 0) continue;
+            const Vec3f wi = reflect(wo, h);
+            const float area = 4 * wo_h * point.area * parameters.mx * parameters.my * cos_h * cos_h * cos_h;
+            const Color3f value = wi.z > 0 ? lobe.eval(wo, lobe.mirrored(wi)) * wi.z : Color3f(0);
+            q.x[used] = wi.x, q.y[used] = wi.y, q.z[used] = wi.z, q.root_area[used] = std::sqrt(area);
+            for (int k = 0; k < 3; ++k) q.value(used, k) = value[k];
+            albedo += Imath::V3d(value) * area;
+            ++used;
+        }
+        q.x.conservativeResize(used), q.y.conservativeResize(used), q.z.conservativeResize(used);
+        q.root_area.conservativeResize(used), q.value.conservativeResize(used, 3);
+        q.albedo = Color3f(Vec3f(albedo));
+        q.farthest = kFarthest * std::max(parameters.mx, parameters.my);
+        q.finest = kFinest * std::min(parameters.mx, parameters.my) * std::max(wo.z, kGrazing);
+        return q;
+    });
+}
+
+}  // namespace burnish
