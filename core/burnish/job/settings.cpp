@@ -68,12 +68,15 @@ void add_materials(std::vector<Setting>& table) {
 
 void add_quality(std::vector<Setting>& table) {
     table.push_back(choice<EstimatorKind>({"estimator", "quality", "estimator"}, AT(estimator.kind),
-                                          {{"regular", EstimatorKind::regular},
+                                          {{"fitted", EstimatorKind::fitted},
+                                           {"regular", EstimatorKind::regular},
                                            {"filtered_importance", EstimatorKind::filtered_importance},
+                                           {"split_sum", EstimatorKind::split_sum},
                                            {"reference", EstimatorKind::reference}},
                                           "how the reflection is integrated; reference is slow and measures its own error"));
-    table.push_back(integer({"samples", "quality", "samples"}, AT(estimator.samples), {1, 4096}, "",
-                            "lookups per lobe and pixel; regular takes the pattern nearest to it"));
+    table.push_back(integer({"samples", "quality", "samples"}, AT(estimator.samples), {0, 4096}, "",
+                            "lookups per lobe and pixel; 0: as the estimator needs; fitted takes up to 16, regular the pattern "
+                            "nearest to it"));
     table.push_back(choice<PatternKind>({"pattern", "quality", "pattern"}, AT(estimator.pattern),
                                         {{"auto", PatternKind::automatic},
                                          {"circles", PatternKind::circles},
@@ -89,7 +92,7 @@ void add_quality(std::vector<Setting>& table) {
                                         {"energy_squared", Quadrature::energy_squared}},
                                        "weights of the regular pattern"));
     table.push_back(number({"level_bias", "quality", "level_bias"}, AT(estimator.level_bias), {-8, 8}, "levels",
-                           "added to the pyramid level of every lookup; lower is sharper and noisier"));
+                           "regular and filtered_importance: added to the pyramid level of every lookup; lower is sharper"));
     table.push_back(boolean({"albedo_correction", "quality", "albedo_correction"}, AT(estimator.albedo_correction),
                             "keeps the lobe's energy at grazing angles"));
     table.push_back(number({"tolerance", "quality", "tolerance"}, AT(estimator.tolerance), {1e-6, 1}, "",

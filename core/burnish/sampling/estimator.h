@@ -3,7 +3,9 @@
 
 namespace burnish {
 
-enum class EstimatorKind { regular, filtered_importance, reference };
+/// `fitted`: a few Gaussians fitted to the lobe; `regular`: the sources' patterns; `filtered_importance`: Colbert & Krivanek;
+/// `split_sum`: one prefiltered lookup, as real-time engines do; `reference`: converges to the exact integral.
+enum class EstimatorKind { fitted, regular, filtered_importance, split_sum, reference };
 
 /// Shapes of the `regular` pattern: `circles` = equally spaced circles (Regular 5), `offset_circles` = the same without a
 /// sample at the centre, `ring` = 1 + one ring, `line` = along the elongation, `automatic` = circles, or a line when
@@ -14,15 +16,25 @@ enum class PatternKind { automatic, circles, offset_circles, ring, line };
 enum class Quadrature { half_vector, energy, energy_squared };
 
 struct EstimatorSettings {
-    EstimatorKind kind = EstimatorKind::regular;
-    int samples = 19;  // lookups per lobe; `regular` takes the pattern nearest to it
+    EstimatorKind kind = EstimatorKind::fitted;
+    int samples = 0;  // lookups per lobe, 0 = by estimator (lookup_count); `regular` takes the pattern nearest to it
     PatternKind pattern = PatternKind::automatic;
     float border = 0.0f;  // xi0: the lobe ends where this share of its energy lies beyond, (0, 1); 0 = by sample count
     Quadrature quadrature = Quadrature::half_vector;
-    float level_bias = -0.9f;       // MIP levels added to the footprint rule
+    float level_bias = -0.9f;       // MIP levels added to the footprint rule (regular, filtered_importance)
     bool albedo_correction = true;  // tabulated true / estimated albedo, the cure for grazing angles
     float tolerance = 0.005f;       // reference: stop at this standard error, relative to the pixel's mean
     int max_samples = 16384;        // reference: sample cap per pixel
 };
+
+inline constexpr int kMostFitted = 16;  // lookups: beyond it a fit gains nothing
+
+/// Lookups per lobe and pixel of a few-sample estimator.
+inline int lookup_count(const EstimatorSettings& settings) {
+    if (settings.kind == EstimatorKind::split_sum) return 1;
+    const bool fitted = settings.kind == EstimatorKind::fitted;
+    const int count = settings.samples > 0 ? settings.samples : fitted ? 6 : 19;
+    return fitted && count > kMostFitted ? kMostFitted : count;
+}
 
 }  // namespace burnish

@@ -61,7 +61,7 @@ Fit::State Fit::evaluate(const std::vector<GaussianTap>& taps) const {
     for (Index i = 0; i < n; ++i) {
         const GaussianTap& tap = taps[static_cast<size_t>(i)];
         const Vec3f d = tap_direction(m_wo, tap.sx, tap.sy);
-        const float k = std::exp(-2 * tap.log_sigma), norm = k / (2 * kPi * (1 - std::exp(-2 * k)));
+        const float k = 1 / (std::exp(2 * tap.log_sigma) + m_lobe.blur * m_lobe.blur), norm = k / (2 * kPi * (1 - std::exp(-2 * k)));
         state.basis.col(i).head(rows) =
             (k * (m_lobe.x * d.x + m_lobe.y * d.y + m_lobe.z * d.z - 1)).exp() * m_lobe.root_area * norm;
     }
@@ -90,11 +90,11 @@ MatrixXf Fit::jacobian(const std::vector<GaussianTap>& taps, const State& state)
         const GaussianTap& tap = taps[static_cast<size_t>(i)];
         const Vec3f d = tap_direction(m_wo, tap.sx, tap.sy);
         const DirectionSlopes slopes = direction_slopes(m_wo, tap.sx, tap.sy);
-        const float k = std::exp(-2 * tap.log_sigma);
+        const float variance = std::exp(2 * tap.log_sigma), k = 1 / (variance + m_lobe.blur * m_lobe.blur);
         const Eigen::ArrayXf gaussian = state.basis.col(i).head(rows).array() * state.weights[i];
         const auto along = [&](const Vec3f& v) { return m_lobe.x * v.x + m_lobe.y * v.y + m_lobe.z * v.z; };
         change.col(i).head(rows) = gaussian * k * along(slopes.x);
-        change.col(n + i).head(rows) = gaussian * (-2 * k * (along(d) - 1) - 2);
+        change.col(n + i).head(rows) = gaussian * (-2 * k * (along(d) - 1) - 2) * (k * variance);
         if (m_unknowns == 3) change.col(2 * n + i).head(rows) = gaussian * k * along(slopes.y);
     }
     const Eigen::MatrixXd normal = (state.basis.transpose() * state.basis).cast<double>();
@@ -152,16 +152,6 @@ float Fit::run(int steps, std::vector<GaussianTap>& taps) {
 }
 
 }  // namespace
-
-DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy) {
-    const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
-    const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
-    const auto along = [&](const Vec3f& axis) {
-        const Vec3f dh = (axis - h * h.dot(axis)) * cos_h;
-        return (h * wo.dot(dh) + dh * wo.dot(h)) * 2.0f;
-    };
-    return {along({1, 0, 0}), along({0, 1, 0})};
-}
 
 Vec3f tap_direction(const Vec3f& wo, float sx, float sy) {
     return reflect(wo, Vec3f(sx, sy, 1) / std::sqrt(1 + sx * sx + sy * sy));

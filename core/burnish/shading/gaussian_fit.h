@@ -23,12 +23,6 @@ struct GaussianTap {
 /// Direction of a tap, local frame, mirrored above the surface for transmission lobes; may lie below the horizon.
 Vec3f tap_direction(const Vec3f& wo, float sx, float sy);
 
-/// d reflect(wo, h) / d sx and d sy.
-struct DirectionSlopes {
-    Vec3f x, y;
-};
-DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy);
-
 /// Improves `taps` in place, from where they are, in at most `steps` steps; sets all weights.
 /// in_plane  sy stays 0: for a quadrature of half the lobe.
 /// Returns the residual: root mean square of the luminance's error over the root mean square of the lobe, over solid angle.

@@ -1,6 +1,7 @@
 #include <burnish/shading/lobe_quadrature.h>
 
 #include <burnish/material/lobe.h>
+#include <cstdlib>
 
 #include <vector>
 
@@ -34,9 +35,7 @@ std::vector<GridPoint> polar_grid(float border, bool half) {
     return grid;
 }
 
-}  // namespace
-
-LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
+LobeQuadrature plain_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
     return visit_lobe(parameters, [&](const auto& lobe) {
         const std::vector<GridPoint> grid = polar_grid(lobe.border(kShareBeyond), half);
         const auto count = static_cast<Eigen::Index>(grid.size());
@@ -65,6 +64,41 @@ LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo
         q.finest = kFinest * std::min(parameters.mx, parameters.my) * std::max(wo.z, kGrazing);
         return q;
     });
+}
+
+/// What a blur of the light by `blur` rad widens the slopes by, as the widths' squares: 2 blur^2 (J^T J)^-1, J = d wi / d slopes.
+Vec2f widening(const Vec3f& wo, float blur) {
+    const DirectionSlopes J = direction_slopes(wo, 0, 0);
+    const float xx = J.x.dot(J.x), xy = J.x.dot(J.y), yy = J.y.dot(J.y), scale = 2 * blur * blur / (xx * yy - xy * xy);
+    return {scale * yy, scale * xx};
+}
+
+}  // namespace
+
+DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy) {
+    const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
+    const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
+    const auto along = [&](const Vec3f& axis) {
+        const Vec3f dh = (axis - h * h.dot(axis)) * cos_h;
+        return (h * wo.dot(dh) + dh * wo.dot(h)) * 2.0f;
+    };
+    return {along({1, 0, 0}), along({0, 1, 0})};
+}
+
+LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
+    static const float kB = getenv("BLUR") ? atof(getenv("BLUR")) : 0.0f;
+    static const float kR = getenv("BLURR") ? atof(getenv("BLURR")) : 0.5f;
+    const float blur = std::min(kB, kR * std::sqrt(2.0f) * std::max(parameters.mx, parameters.my));
+    if (blur <= 0) return plain_quadrature(parameters, wo, half);
+    const Vec2f wider = widening(wo, blur);
+    LobeParameters blurred = parameters;
+    blurred.mx = std::sqrt(parameters.mx * parameters.mx + wider.x);
+    blurred.my = std::sqrt(parameters.my * parameters.my + wider.y);
+    const LobeQuadrature sharp = plain_quadrature(parameters, wo, half);
+    LobeQuadrature q = plain_quadrature(blurred, wo, half);
+    for (int k = 0; k < 3; ++k) q.value.col(k) *= sharp.albedo[k] / q.albedo[k];
+    q.albedo = sharp.albedo, q.farthest = sharp.farthest, q.finest = sharp.finest, q.blur = blur;
+    return q;
 }
 
 }  // namespace burnish

@@ -17,9 +17,16 @@ struct LobeQuadrature {
     Eigen::ArrayXf root_area;          // square root of the solid angle it stands for
     Eigen::Array<float, -1, 3> value;  // f |cos theta_i|, RGB, without tint and strength
     Color3f albedo;                    // integral of `value`
+    float blur = 0;   // rad
     float farthest;                    // slope: what lies beyond is not seen by the lobe
     float finest;                      // rad: narrower detail would fall between the directions
 };
+
+/// d reflect(wo, h) / d sx and d sy at h ~ (sx, sy, 1).
+struct DirectionSlopes {
+    Vec3f x, y;
+};
+DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy);
 
 /// The lobe (its mx, my as given) from wo (local, wo.z > 0). `half`: only y >= 0, of twice the area, for lobes and views that
 /// are symmetric about the plane y = 0.

@@ -1,7 +1,9 @@
 #include <burnish/shading/material_shader.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/shading/fitted.h>
 #include <burnish/shading/reference.h>
+#include <burnish/shading/split_sum.h>
 #include <burnish/shading/tap_rule.h>
 #include <burnish/shading/tap_table.h>
 
@@ -12,17 +14,45 @@ namespace burnish {
 struct MaterialShader::LobeShader {
     LobeShader(const LobeParameters& parameters, const Environment& environment, const EstimatorSettings& estimator)
         : lobe(parameters), settings(estimator), light(environment) {
-        if (settings.kind == EstimatorKind::reference) return;
+        settings.samples = lookup_count(settings);
+        if (settings.kind == EstimatorKind::fitted && !TapTable::covers(lobe)) settings = stand_in(settings);
+        switch (settings.kind) {
+            case EstimatorKind::reference: break;
+            case EstimatorKind::fitted: prepare_fitted(); break;
+            case EstimatorKind::split_sum: prepare_split_sum(); break;
+            default: prepare_rule();
+        }
+    }
+
+    /// What shades lobes whose anisotropy comes from a layer: fits cannot be made for every pixel.
+    static EstimatorSettings stand_in(EstimatorSettings settings) {
+        settings.kind = EstimatorKind::regular, settings.samples = 0;
+        settings.samples = lookup_count(settings);
+        return settings;
+    }
+
+    void prepare_rule() {
         rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
         if (TapTable::covers(lobe)) table = TapTable(lobe, rule->tap_count(lobe.mx, lobe.my), *rule);
+        stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
+    }
+
+    void prepare_fitted() {
+        table = fitted_table(lobe, settings.samples, light.gaussian_stack());
+        stack = light.gaussian_stack().stack();
+    }
+
+    void prepare_split_sum() {
+        SplitSum split = split_sum(lobe, light.gaussian_stack());
+        table = std::move(split.table), stack = std::move(split.filtered);
     }
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
         std::vector<Tap> taps;
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
-            taps.resize(rule->tap_count(point.mx, point.my));
-            if (TapTable::covers(lobe))
+            taps.resize(table.tap_count() > 0 ? table.tap_count() : rule->tap_count(point.mx, point.my));
+            if (table.tap_count() > 0)
                 table.at(point, taps);
             else
                 (*rule)(point, taps);
@@ -38,7 +68,7 @@ struct MaterialShader::LobeShader {
         for (const Tap& tap : taps) {
             if (!point.sees(tap.wi, side_sign)) continue;
             const Vec3f d = point.frame.to_world(tap.wi);
-            sum += tap.weight * light.pyramid().lookup(d, tap.level + CubePyramid::kDistortion * cube_distortion(d));
+            sum += tap.weight * stack.lookup(d, tap.level + distortion * cube_distortion(d));
         }
         return sum;
     }
@@ -61,7 +91,9 @@ struct MaterialShader::LobeShader {
     EstimatorSettings settings;
     const Environment& light;
     std::optional<TapRule> rule;
-    TapTable table;
+    TapTable table;        // empty where anisotropy comes from a layer
+    CubeStack stack;       // what taps read, a handle
+    float distortion = 0;  // levels a tap gains where the cube's texels are small
 };
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {

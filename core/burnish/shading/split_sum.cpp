@@ -85,7 +85,7 @@ SplitSum split_sum(const LobeParameters& parameters, const GaussianStack& light)
     for (int i = 0; i < width.count; ++i) filter(lobes[static_cast<size_t>(i)], light, result.filtered[i]);
     for (int node = 0; node < result.table.node_count(); ++node) {
         const Vec3f wo = at(node).wo;
-        const float side = parameters.side == Side::transmission ? -1.0f : 1.0f;
+        const float side = result.table.side_sign();
         const Tap tap{{-wo.x, -wo.y, wo.z * side},
                       static_cast<float>(node / width.stride % width.count),
                       directional_albedo(lobe, wo, kAlbedoSamples)};
