@@ -2,8 +2,8 @@
 
 #include <burnish/material/lobe.h>
 #include <burnish/shading/reference.h>
+#include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
-#include <burnish/shading/tap_table.h>
 
 #include <optional>
 
@@ -14,33 +14,35 @@ struct MaterialShader::LobeShader {
         : lobe(parameters), settings(estimator), light(environment) {
         if (settings.kind == EstimatorKind::reference) return;
         rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
-        if (TapTable::covers(lobe)) table = TapTable(lobe, rule->tap_count(lobe.mx, lobe.my), *rule);
+        const int taps = rule->tap_count(lobe.mx, lobe.my);
+        if (TapTable::covers(lobe, taps)) table = TapTable(lobe, taps, *rule);
     }
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
+        if (table.tap_count() == 0) return add_tap_by_tap(batch, out);
+        const CubeStack& stack = light.pyramid().stack();
+        add_table_shading({lobe, table, stack, CubePyramid::kDistortion, light.world_to_light(), light.gain()}, batch,
+                          out.overlay);
+        for (float& samples : out.samples) samples += static_cast<float>(table.tap_count());
+    }
+
+    /// Where each pixel has to make its own taps.
+    void add_tap_by_tap(const SurfaceBatch& batch, ShadedBatch& out) const {
+        const float side_sign = lobe.side == Side::transmission ? -1.0f : 1.0f;
         std::vector<Tap> taps;
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
             taps.resize(rule->tap_count(point.mx, point.my));
-            if (TapTable::covers(lobe))
-                table.at(point, taps);
-            else
-                (*rule)(point, taps);
-            out.overlay[i] += gathered(point, taps) * point.scale * light.gain();
+            (*rule)(point, taps);
+            Color3f sum(0, 0, 0);
+            for (const Tap& tap : taps) {
+                const Vec3f d = point.frame.to_world(tap.wi);
+                if (point.sees(tap.wi, side_sign))
+                    sum += tap.weight * light.pyramid().lookup(d, tap.level + CubePyramid::kDistortion * cube_distortion(d));
+            }
+            out.overlay[i] += sum * point.scale * light.gain();
             out.samples[i] += static_cast<float>(taps.size());
         }
-    }
-
-    /// The light through the taps that the geometric surface does not hide.
-    Color3f gathered(const ShadingPoint& point, std::span<const Tap> taps) const {
-        const float side_sign = lobe.side == Side::transmission ? -1.0f : 1.0f;
-        Color3f sum(0, 0, 0);
-        for (const Tap& tap : taps) {
-            if (!point.sees(tap.wi, side_sign)) continue;
-            const Vec3f d = point.frame.to_world(tap.wi);
-            sum += tap.weight * light.pyramid().lookup(d, tap.level + CubePyramid::kDistortion * cube_distortion(d));
-        }
-        return sum;
     }
 
     template <class LobeType>
