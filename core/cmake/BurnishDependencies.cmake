@@ -6,6 +6,7 @@ find_package(TBB REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED)
+find_package(hwy REQUIRED)
 
 # OpenImageIO's target lists OpenCV's include folder even where OpenCV is absent.
 get_target_property(burnish_oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

@@ -12,11 +12,10 @@ using namespace burnish;
 
 namespace {
 
-/// Arguments: lookups per pixel, threads. Model by template, so that the names of the benchmarks say what ran.
-template <ModelId model>
+/// Arguments: lookups per pixel, threads. Model and estimator by template, so that the names of the benchmarks say what ran.
+template <ModelId model, EstimatorKind kind>
 void shade_1080p(benchmark::State& state) {
-    const int threads = static_cast<int>(state.range(1));
-    const ThreadLimit limit(threads);
+    const ThreadLimit limit(static_cast<int>(state.range(1)));
     const AovFrame frame = scenes::covered_frame(1920, 1080);
     const Assignment assignment = scenes::whole_frame(frame);
     const Environment light = Environment::from_image(scenes::stress_light(1, 512), {}, "stress");
@@ -24,6 +23,7 @@ void shade_1080p(benchmark::State& state) {
     lobe.model = model, lobe.mx = lobe.my = 0.1f;
     if (model == ModelId::kurt) lobe.extra = {0.4f};
     EstimatorSettings settings;
+    settings.kind = kind;
     settings.samples = static_cast<int>(state.range(0));
     const std::vector<MaterialShader> shaders{MaterialShader({"bench", Color3f(0, 0, 0), {lobe}}, light, settings)};
     double lookups = 0;
@@ -35,12 +35,21 @@ void shade_1080p(benchmark::State& state) {
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    state.counters["lookups/s/core"] = benchmark::Counter(lookups / threads, benchmark::Counter::kIsRate);
+    state.counters["lookups/s/core"] = benchmark::Counter(lookups, benchmark::Counter::kIsRate);  // of processor time
     state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+constexpr EstimatorKind regular = EstimatorKind::regular, filtered_importance = EstimatorKind::filtered_importance;
+
 }  // namespace
 
-BENCHMARK(shade_1080p<ModelId::kurt>)->Args({16, 1})->Args({16, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(shade_1080p<ModelId::beckmann>)->Args({16, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(shade_1080p<ModelId::ggx>)->Args({16, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shade_1080p<ModelId::kurt, regular>)
+    ->ArgsProduct({{4, 8, 16}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK(shade_1080p<ModelId::beckmann, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(shade_1080p<ModelId::ggx, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(shade_1080p<ModelId::ggx, filtered_importance>)
+    ->Args({16, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();

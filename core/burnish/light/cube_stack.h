@@ -6,6 +6,7 @@
 
 #include <burnish/light/cube_level.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace burnish {
 class CubeStack {
 public:
     CubeStack() = default;
-    /// Black levels of these face sizes, finest first.
+    /// Black levels of these face sizes, finest first. Throws Error(bad_argument) beyond 2^31 texels.
     explicit CubeStack(std::span<const int> sizes);
 
     int level_count() const { return static_cast<int>(m_levels.size()); }
@@ -34,8 +35,19 @@ public:
         return {sum[0], sum[1], sum[2]};
     }
 
+    /// Where texels are, for kernels: level k has sizes[k] texels a side and starts at texel begins[k] of `rgba`. The last
+    /// level stands there again, at least once, up to kShortTable entries or more.
+    struct Layout {
+        const float* rgba = nullptr;
+        std::vector<float> sizes;
+        std::vector<int32_t> begins;
+    };
+    static constexpr int kShortTable = 16;
+    const Layout& layout() const { return m_layout; }
+
 private:
     std::vector<CubeLevel> m_levels;
+    Layout m_layout;
 };
 
 }  // namespace burnish

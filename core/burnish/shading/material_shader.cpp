@@ -4,8 +4,8 @@
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/reference.h>
 #include <burnish/shading/split_sum.h>
+#include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
-#include <burnish/shading/tap_table.h>
 
 #include <optional>
 
@@ -15,7 +15,7 @@ struct MaterialShader::LobeShader {
     LobeShader(const LobeParameters& parameters, const Environment& environment, const EstimatorSettings& estimator)
         : lobe(parameters), settings(estimator), light(environment) {
         settings.samples = lookup_count(settings);
-        if (settings.kind == EstimatorKind::fitted && !TapTable::covers(lobe)) settings = stand_in(settings);
+        if (settings.kind == EstimatorKind::fitted && !TapTable::covers(lobe, settings.samples)) settings = stand_in(settings);
         switch (settings.kind) {
             case EstimatorKind::reference: break;
             case EstimatorKind::fitted: prepare_fitted(); break;
@@ -31,15 +31,9 @@ struct MaterialShader::LobeShader {
         return settings;
     }
 
-    void prepare_rule() {
-        rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
-        if (TapTable::covers(lobe)) table = TapTable(lobe, rule->tap_count(lobe.mx, lobe.my), *rule);
-        stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
-    }
-
     void prepare_fitted() {
-        table = fitted_table(lobe, settings.samples, light.gaussian_stack());
         stack = light.gaussian_stack().stack();
+        table = fitted_table(lobe, settings.samples, light.gaussian_stack());
     }
 
     void prepare_split_sum() {
@@ -47,30 +41,36 @@ struct MaterialShader::LobeShader {
         table = std::move(split.table), stack = std::move(split.filtered);
     }
 
+    void prepare_rule() {
+        stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
+        rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
+        const int taps = rule->tap_count(lobe.mx, lobe.my);
+        if (TapTable::covers(lobe, taps)) table = TapTable(lobe, taps, *rule);
+    }
+
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
+        if (table.tap_count() == 0) return add_tap_by_tap(batch, out);
+        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch, out.overlay);
+        for (float& samples : out.samples) samples += static_cast<float>(table.tap_count());
+    }
+
+    /// Where each pixel has to make its own taps.
+    void add_tap_by_tap(const SurfaceBatch& batch, ShadedBatch& out) const {
+        const float side_sign = lobe.side == Side::transmission ? -1.0f : 1.0f;
         std::vector<Tap> taps;
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
-            taps.resize(table.tap_count() > 0 ? table.tap_count() : rule->tap_count(point.mx, point.my));
-            if (table.tap_count() > 0)
-                table.at(point, taps);
-            else
-                (*rule)(point, taps);
-            out.overlay[i] += gathered(point, taps) * point.scale * light.gain();
+            taps.resize(rule->tap_count(point.mx, point.my));
+            (*rule)(point, taps);
+            Color3f sum(0, 0, 0);
+            for (const Tap& tap : taps) {
+                const Vec3f d = point.frame.to_world(tap.wi);
+                if (point.sees(tap.wi, side_sign))
+                    sum += tap.weight * stack.lookup(d, tap.level + distortion * cube_distortion(d));
+            }
+            out.overlay[i] += sum * point.scale * light.gain();
             out.samples[i] += static_cast<float>(taps.size());
         }
-    }
-
-    /// The light through the taps that the geometric surface does not hide.
-    Color3f gathered(const ShadingPoint& point, std::span<const Tap> taps) const {
-        const float side_sign = lobe.side == Side::transmission ? -1.0f : 1.0f;
-        Color3f sum(0, 0, 0);
-        for (const Tap& tap : taps) {
-            if (!point.sees(tap.wi, side_sign)) continue;
-            const Vec3f d = point.frame.to_world(tap.wi);
-            sum += tap.weight * stack.lookup(d, tap.level + distortion * cube_distortion(d));
-        }
-        return sum;
     }
 
     template <class LobeType>

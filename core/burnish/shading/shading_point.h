@@ -27,14 +27,11 @@ inline Vec2f lobe_widths(const SurfaceBatch& batch, size_t i, const LobeParamete
 }
 
 /// The lobe's frame in the world. An isotropic lobe has no direction of its own, so its frame follows the view: what a
-/// pattern of few samples misses then depends on the view angle alone, and a table can know it. The frame of an anisotropic
-/// lobe, which is its own mirror image, is mirrored so that wo lies in the first quadrant: a quarter of the table will do.
+/// pattern of few samples misses then depends on the view angle alone, and the albedo table knows it.
 inline Frame lobe_frame(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe, bool isotropic) {
-    const Vec3f wo = batch.wo[i];
-    if (isotropic) return Frame::along(batch.n[i], wo);
+    if (isotropic) return Frame::along(batch.n[i], batch.wo[i]);
     const bool turned = lobe.per_pixel.rotation && !batch.rotation.empty();
-    const Frame f = Frame::along(batch.n[i], batch.t[i]).turned(turned ? batch.rotation[i] : lobe.rotation);
-    return {f.t * std::copysign(1.0f, wo.dot(f.t)), f.b * std::copysign(1.0f, wo.dot(f.b)), f.n};
+    return Frame::along(batch.n[i], batch.t[i]).turned(turned ? batch.rotation[i] : lobe.rotation);
 }
 
 /// Point i of the batch for one lobe. world_to_light: row vector times matrix.

@@ -8,8 +8,9 @@
 namespace burnish {
 namespace {
 
-constexpr int kWidthNodes = 49;
-constexpr std::array<int, 2> kViewNodes{128, 64}, kAzimuthNodes{33, 17};  // with one or two axes, and with all three
+// With one or two axes, and with all three.
+constexpr std::array<int, 2> kViewNodes{128, 64}, kAzimuthNodes{129, 65}, kWidthNodes{49, 33};
+constexpr int64_t kMaxFloats = 1 << 25;       // 128 MB
 constexpr float kLowestCosine = 1e-4f;        // of the last node; views below it, which no pixel looks from, take its taps
 constexpr float kNarrowestRoughness = 0.01f;  // of the first node: sqrt(kMinWidth)
 
@@ -25,21 +26,31 @@ Vec3f mirrored_z(const Vec3f& v, float sign) { return {v.x, v.y, v.z * sign}; }
 
 }  // namespace
 
+std::array<TapTable::Axis, TapTable::kAxes> TapTable::axes_of(const LobeParameters& lobe) {
+    const auto axis = [](float low, float high, int count) { return Axis{low, (count - 1) / (high - low), count, 1}; };
+    const bool turns = lobe.mx != lobe.my, coarse = turns && lobe.per_pixel.roughness;
+    std::array<Axis, kAxes> axes;
+    axes[0] = axis(view_measure(1), view_measure(kLowestCosine), kViewNodes[coarse]);
+    if (turns) axes[1] = axis(-1, 3, kAzimuthNodes[coarse]);
+    if (lobe.per_pixel.roughness) axes[2] = axis(kNarrowestRoughness, 1, kWidthNodes[coarse]);
+    axes[1].stride = axes[0].count;
+    axes[2].stride = axes[0].count * axes[1].count;
+    return axes;
+}
+
+bool TapTable::covers(const LobeParameters& lobe, int taps) {
+    const Axis last = axes_of(lobe)[2];
+    return !lobe.per_pixel.anisotropy && static_cast<int64_t>(last.stride) * last.count * padded(taps) * kFields <= kMaxFloats;
+}
+
 TapTable::TapTable(const LobeParameters& lobe, int taps)
-    : m_half_aspect(std::sqrt(lobe.mx / lobe.my)),
+    : m_axes(axes_of(lobe)),
+      m_half_aspect(std::sqrt(lobe.mx / lobe.my)),
       m_width(std::sqrt(lobe.mx * lobe.my)),
       m_side_sign(lobe.side == Side::transmission ? -1.0f : 1.0f),
       m_taps(taps),
-      m_padded((taps + kLanes - 1) / kLanes * kLanes) {
-    const auto axis = [](float low, float high, int count) { return Axis{low, (count - 1) / (high - low), count, 1}; };
-    const bool turns = lobe.mx != lobe.my, coarse = turns && lobe.per_pixel.roughness;
-    m_axes[0] = axis(view_measure(1), view_measure(kLowestCosine), kViewNodes[coarse]);
-    if (turns) m_axes[1] = axis(0, 1, kAzimuthNodes[coarse]);
-    if (lobe.per_pixel.roughness) m_axes[2] = axis(kNarrowestRoughness, 1, kWidthNodes);
-    m_axes[1].stride = m_axes[0].count;
-    m_axes[2].stride = m_axes[0].count * m_axes[1].count;
-    m_data.assign(static_cast<size_t>(node_count()) * m_padded * kFields, 0.0f);
-}
+      m_padded(padded(taps)),
+      m_data(static_cast<size_t>(node_count()) * node_floats(), 0.0f) {}
 
 TapTable::TapTable(const LobeParameters& lobe, int taps, const Rule& rule) : TapTable(lobe, taps) {
     for_each_index(node_count(), [&](int node) {
@@ -58,7 +69,8 @@ ShadingPoint TapTable::node_point(int node) const {
     };
     constexpr float kLeastSine = 1e-4f;  // the view along the normal still has an azimuth: taps may turn with it
     const float cos_o = view_cosine(measure(0)), sin_o = std::max(std::sqrt(std::max(0.0f, 1 - cos_o * cos_o)), kLeastSine);
-    const float y = measure(1), x = 1 - y, m = m_axes[2].count > 1 ? measure(2) * measure(2) : m_width;
+    const float a = measure(1), y = a > 1 ? 2 - a : a, x = std::copysign(1 - std::abs(y), 1 - a),
+                m = m_axes[2].count > 1 ? measure(2) * measure(2) : m_width;
     ShadingPoint point;
     point.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     point.wo = Vec3f(sin_o * x / std::hypot(x, y), sin_o * y / std::hypot(x, y), cos_o);
@@ -70,7 +82,7 @@ ShadingPoint TapTable::node_point(int node) const {
 
 void TapTable::set(int node, std::span<const Tap> taps) {
     const Imath::V3d wo = Imath::V3d(node_point(node).wo).normalized();
-    float* data = &m_data[static_cast<size_t>(node) * m_padded * kFields];
+    float* data = &m_data[static_cast<size_t>(node) * node_floats()];
     for (int i = 0; i < m_taps; ++i) {
         const Tap& tap = taps[i];
         const Imath::V3d h = (wo + Imath::V3d(mirrored_z(tap.wi, m_side_sign)).normalized()).normalized();
@@ -89,7 +101,10 @@ float TapTable::measure(int axis, const ShadingPoint& point) const {
     const float x = point.wo.x, y = point.wo.y;
     switch (axis) {
         case 0: return view_measure(std::clamp(point.wo.z, 0.0f, 1.0f));
-        case 1: return y / std::max(x + y, 1e-30f);
+        case 1: {
+            const float a = y / std::max(std::abs(x) + std::abs(y), 1e-30f);
+            return x < 0 ? 2 - a : a;
+        }
         default: return std::sqrt(std::max(point.mx / m_half_aspect, point.my * m_half_aspect));  // the one not cut at 1
     }
 }
@@ -114,7 +129,8 @@ void TapTable::at(const ShadingPoint& point, std::span<Tap> taps) const {
             index += (low[a] + upper) * m_axes[a].stride;
         }
         if (weight <= 0) continue;
-        for (size_t i = 0; i < sum.size(); ++i) sum[i] += weight * node(index)[i];
+        const float* node = &m_data[static_cast<size_t>(index) * node_floats()];
+        for (size_t i = 0; i < sum.size(); ++i) sum[i] += weight * node[i];
     }
     for (int i = 0; i < m_taps; ++i) {
         const auto field = [&](Field f) { return sum[f * m_padded + i]; };

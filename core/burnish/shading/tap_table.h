@@ -3,7 +3,8 @@
 // For a lobe of uniform anisotropy the taps depend on the view alone, and on the width where that comes from a layer. Axes:
 //
 //     view     sqrt(1 - cos_o) - sqrt(cos_o): fine near the normal, where taps move, and at the horizon, where weights do
-//     azimuth  |y| / (|x| + |y|) of wo, one quadrant: frames of anisotropic lobes are mirrored so that wo lies in it
+//     azimuth  of anisotropic lobes: a = y / (|x| + |y|) of wo, 2 - a where x < 0; all round, as patterns need not be
+//              symmetric and a frame mirrored by the sign of a vanishing x would make noise
 //     width    sqrt(m), the artist's roughness
 //
 // Directions are kept as half vectors: they move little with the view, not at all for `regular`, and the pixel's own wo
@@ -26,8 +27,8 @@ public:
     /// Writes the taps of the lobe at a point.
     using Rule = std::function<void(const ShadingPoint& point, std::span<Tap> taps)>;
 
-    /// Whether the taps of this lobe can be tabulated: its anisotropy is uniform.
-    static bool covers(const LobeParameters& lobe) { return !lobe.per_pixel.anisotropy; }
+    /// Whether so many taps of this lobe can be tabulated: its anisotropy is uniform, and the table is not too large.
+    static bool covers(const LobeParameters& lobe, int taps);
 
     TapTable() = default;
     /// A table of weightless taps, to be filled by `set`. `taps` >= 1.
@@ -41,13 +42,15 @@ public:
     ShadingPoint node_point(int node) const;
     void set(int node, std::span<const Tap> taps);
 
-    /// The taps at a point (wo, mx, my), linear between nodes. wo lies in the first quadrant if the lobe is anisotropic.
+    /// The taps at a point (wo, mx, my), linear between nodes.
     void at(const ShadingPoint& point, std::span<Tap> taps) const;
 
     /// Fields of a node, each `padded_taps()` floats, one after the other: taps are the lanes of a SIMD kernel.
     enum Field { h_x, h_y, h_z, level, weight_r, weight_g, weight_b, kFields };
     int padded_taps() const { return m_padded; }
-    const float* node(int index) const { return &m_data[static_cast<size_t>(index) * m_padded * kFields]; }
+    int node_floats() const { return m_padded * kFields; }
+    /// The first node; the others follow.
+    const float* data() const { return m_data.data(); }
 
     /// One axis: `count` nodes, `stride` nodes apart, the first at `low` and `per_unit` nodes to a unit of the measure.
     struct Axis {
@@ -56,15 +59,17 @@ public:
     };
     static constexpr int kAxes = 3, kLanes = 8;
     const std::array<Axis, kAxes>& axes() const { return m_axes; }
-    /// mx / my of the lobe, square root of: mx = m * half_aspect, my = m / half_aspect, both at most 1.
-    float half_aspect() const { return m_half_aspect; }
+    /// The lobe's own width, sqrt(mx my).
+    float width() const { return m_width; }
     float side_sign() const { return m_side_sign; }
 
 private:
+    static std::array<Axis, kAxes> axes_of(const LobeParameters& lobe);
+    static int padded(int taps) { return (taps + kLanes - 1) / kLanes * kLanes; }
     float measure(int axis, const ShadingPoint& point) const;
 
     std::array<Axis, kAxes> m_axes;
-    float m_half_aspect = 1, m_width = 1, m_side_sign = 1;
+    float m_half_aspect = 1, m_width = 1, m_side_sign = 1;  // m_half_aspect: mx = m half_aspect, my = m / half_aspect
     int m_taps = 0, m_padded = 0;
     std::vector<float> m_data;
 };

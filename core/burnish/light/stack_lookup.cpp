@@ -1,0 +1,58 @@
+#include <burnish/light/stack_lookup.h>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "burnish/light/stack_lookup.cpp"
+#include <hwy/foreach_target.h>
+
+#include <burnish/light/stack_lookup_simd.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace burnish {
+namespace HWY_NAMESPACE {
+
+/// Queues taps [0, count) at the start of the queue; entries up to the next whole vector are filled with the last.
+void queue_stack_taps(const CubeStack& stack, float distortion, const StackTap* taps, size_t count, TapQueue& queue) {
+    const Lanes d;
+    HWY_ALIGN float x[8], y[8], z[8], level[8];
+    for (size_t first = 0; first < count; first += hn::Lanes(d)) {
+        for (size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+            const StackTap& tap = taps[std::min(first + lane, count - 1)];
+            x[lane] = tap.d.x, y[lane] = tap.d.y, z[lane] = tap.d.z, level[lane] = tap.level;
+            std::copy_n(&tap.weight.x, 3, queue.weight[first + lane]);
+            queue.weight[first + lane][3] = 0;
+        }
+        queue_taps(stack.layout(), stack.level_count(), distortion, {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)},
+                   hn::Load(d, level), first, queue);
+    }
+}
+
+void add_up(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum, std::span<Color3f> sums) {
+    TapQueue queue;
+    const size_t sums_at_once = TapQueue::kCapacity / per_sum;
+    for (size_t j = 0; j < sums.size(); j += sums_at_once) {
+        const size_t count = std::min(sums_at_once, sums.size() - j);
+        queue_stack_taps(stack, distortion, &taps[j * per_sum], count * per_sum, queue);
+        for (size_t i = 0; i < count; ++i) {
+            float rgba[4];
+            queued_sum(stack.layout(), queue, i * per_sum, per_sum, rgba);
+            sums[j + i] = {rgba[0], rgba[1], rgba[2]};
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burnish
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace burnish {
+
+HWY_EXPORT(add_up);
+
+void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
+                    std::span<Color3f> sums) {
+    HWY_DYNAMIC_DISPATCH(add_up)(stack, distortion, taps, per_sum, sums);
+}
+
+}  // namespace burnish
+#endif

@@ -1,0 +1,22 @@
+// Filtered lookups in bulk, with the widest vectors the processor has: sums of weighted lookups in a CubeStack.
+#pragma once
+
+#include <burnish/light/cube_stack.h>
+
+#include <span>
+
+namespace burnish {
+
+/// A lookup: direction of any length, level without distortion, and what the radiance is multiplied by.
+struct StackTap {
+    Vec3f d;
+    float level;
+    Color3f weight;
+};
+
+/// sums[j] = sum of weight * stack.lookup(d, level + distortion * cube_distortion(d)) over the `per_sum` taps from
+/// j * per_sum on; 1 <= per_sum <= 256. Any direction and level is safe. The stack must not be empty.
+void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
+                    std::span<Color3f> sums);
+
+}  // namespace burnish

@@ -1,0 +1,159 @@
+// Internal. The filtered lookup as a kernel, compiled once per instruction set (Google Highway's foreach_target).
+//
+// Lookups go through a queue in the first-level cache. `queue_taps` works out where a vector of lookups lies: face, place,
+// levels, and the offsets and weights of their texels; lanes are lookups. `queued_sum` then reads texels, one lookup after
+// the other: lanes are the RGBA of two neighbouring texels, so nothing is gathered. Keeping the two apart lets the processor
+// fetch texels of many lookups at once.
+#include <burnish/light/cube_stack.h>
+
+#include <hwy/highway.h>
+
+// Included anew for each instruction set.
+#if defined(BURNISH_STACK_LOOKUP_SIMD) == defined(HWY_TARGET_TOGGLE)
+#ifdef BURNISH_STACK_LOOKUP_SIMD
+#undef BURNISH_STACK_LOOKUP_SIMD
+#else
+#define BURNISH_STACK_LOOKUP_SIMD
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace burnish {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Eight lookups a vector, fewer where vectors are shorter; wider ones were slower.
+using Lanes = hn::CappedTag<float, 8>;
+using IntLanes = hn::RebindToSigned<Lanes>;
+using VF = hn::Vec<Lanes>;
+using VI = hn::Vec<IntLanes>;
+
+struct V3 {
+    VF x, y, z;
+};
+HWY_INLINE VF dot(const V3& a, const V3& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
+
+/// Between 0 and `high`; 0 for NaN.
+HWY_INLINE VF clamped(VF v, VF high) { return hn::Min(hn::IfThenElseZero(hn::Gt(v, hn::Zero(Lanes())), v), high); }
+
+/// Lookups whose texels are known. Offsets count texels from the start of the stack.
+struct TapQueue {
+    static constexpr size_t kCapacity = 256;
+    HWY_ALIGN int32_t fine[kCapacity], fine_below[kCapacity], coarse[kCapacity], coarse_below[kCapacity];
+    HWY_ALIGN float fine_y[kCapacity], coarse_y[kCapacity];  // share of the lower row
+    HWY_ALIGN float columns[kCapacity][4];                   // weights: fine left, fine right, coarse left, coarse right
+    HWY_ALIGN float weight[kCapacity][4];                    // RGB
+};
+
+/// Entry k of a table of levels, k in [0, kShortTable) or any k of a longer table.
+template <class D>
+HWY_INLINE hn::Vec<D> of_level(D d, const std::vector<hn::TFromD<D>>& table, VI k) {
+    constexpr size_t kHalf = CubeStack::kShortTable / 2;
+    if (hn::MaxLanes(D()) != kHalf || table.size() > 2 * kHalf) return hn::GatherIndex(d, table.data(), k);
+    const IntLanes di;
+    const auto index = hn::IndicesFromVec(d, hn::And(k, hn::Set(di, kHalf - 1)));
+    const auto low = hn::TableLookupLanes(hn::LoadU(d, table.data()), index);
+    const auto high = hn::TableLookupLanes(hn::LoadU(d, table.data() + kHalf), index);
+    return hn::IfThenElse(hn::RebindMask(d, hn::Gt(k, hn::Set(di, kHalf - 1))), high, low);
+}
+
+/// The place of a lookup in one level: the texel above left, the one below it, and the shares of the next column and row.
+struct Place {
+    VI texel, below;
+    VF x, y;
+};
+HWY_INLINE Place place(const CubeStack::Layout& stack, VI level, VI face, VF x, VF y) {
+    const Lanes d;
+    const IntLanes di;
+    const VF size = of_level(d, stack.sizes, level), half = hn::Set(d, 0.5f);
+    const VI stride = hn::Add(hn::ConvertTo(di, size), hn::Set(di, 2));
+    const VF px = hn::MulAdd(x, size, half), py = hn::MulAdd(y, size, half);
+    const VI column = hn::ConvertTo(di, px), row = hn::ConvertTo(di, py);
+    const VI texel =
+        hn::Add(hn::Add(hn::Mul(hn::Add(hn::Mul(face, stride), row), stride), column), of_level(di, stack.begins, level));
+    return {texel, hn::Add(texel, stride), hn::Sub(px, hn::ConvertTo(d, column)), hn::Sub(py, hn::ConvertTo(d, row))};
+}
+
+/// cube_distortion for 4 q = |d|^2 / max d_k^2 - 1, q in [0, 1/2], within 4e-5: Chebyshev in t = 4 q - 1.
+HWY_INLINE VF distortion_of(VF q) {
+    const Lanes d;
+    const VF t = hn::MulSub(q, hn::Set(d, 4.0f), hn::Set(d, 1.0f));
+    VF sum = hn::Set(d, -0.00269431947f);
+    for (const float c : {0.00635830406f, -0.0108298585f, 0.0290577225f, -0.090225026f, 0.360801727f, 0.5f})
+        sum = hn::MulAdd(sum, t, hn::Set(d, c));
+    return sum;
+}
+
+/// Queues a vector of lookups at entries `at` and on, weights apart. Any direction, NaN included, stays within the stack.
+HWY_INLINE void queue_taps(const CubeStack::Layout& stack, int level_count, float distortion, const V3& w, VF level, size_t at,
+                           TapQueue& queue) {
+    const Lanes d;
+    const IntLanes di;
+    const VF ax = hn::Abs(w.x), ay = hn::Abs(w.y), az = hn::Abs(w.z), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const auto is_x = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az)), is_y = hn::AndNot(is_x, hn::Ge(ay, az));
+    const VF major = hn::IfThenElse(is_x, w.x, hn::IfThenElse(is_y, w.y, w.z)), sign = hn::CopySign(one, major);
+    const VF right = hn::IfThenElse(is_x, hn::Mul(w.z, sign), hn::IfThenElse(is_y, w.x, hn::Neg(hn::Mul(w.x, sign))));
+    const VF up = hn::IfThenElse(is_y, hn::Mul(w.z, sign), w.y), scale = hn::Div(half, hn::Abs(major));
+    const VI axis2 = hn::IfThenElse(hn::RebindMask(di, is_x), hn::Zero(di),
+                                    hn::IfThenElse(hn::RebindMask(di, is_y), hn::Set(di, 2), hn::Set(di, 4)));
+    const VI face = hn::Sub(axis2, hn::VecFromMask(di, hn::RebindMask(di, hn::Lt(major, hn::Zero(d)))));
+    const VF x = hn::Mul(right, scale), y = hn::Mul(up, scale);  // from the face's centre, within +-1/2
+
+    const VF distorted = hn::MulAdd(hn::Set(d, distortion), distortion_of(hn::MulAdd(x, x, hn::Mul(y, y))), level);
+    const VF at_level = clamped(distorted, hn::Set(d, static_cast<float>(level_count - 1)));
+    const VI k = hn::ConvertTo(di, at_level);
+    const VF coarser = hn::Sub(at_level, hn::ConvertTo(d, k)), finer = hn::Sub(one, coarser);
+
+    const VF px = clamped(hn::Add(half, x), one), py = clamped(hn::Sub(half, y), one);
+    const Place fine = place(stack, k, face, px, py), coarse = place(stack, hn::Add(k, hn::Set(di, 1)), face, px, py);
+    hn::StoreU(fine.texel, di, queue.fine + at), hn::StoreU(fine.below, di, queue.fine_below + at);
+    hn::StoreU(coarse.texel, di, queue.coarse + at), hn::StoreU(coarse.below, di, queue.coarse_below + at);
+    hn::StoreU(fine.y, d, queue.fine_y + at), hn::StoreU(coarse.y, d, queue.coarse_y + at);
+    const VF fine_right = hn::Mul(fine.x, finer), coarse_right = hn::Mul(coarse.x, coarser);
+    hn::StoreInterleaved4(hn::Sub(finer, fine_right), fine_right, hn::Sub(coarser, coarse_right), coarse_right, d,
+                          queue.columns[at]);
+}
+
+/// Adds up `count` queued lookups from `first` on: RGB and a fourth number without meaning.
+HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue, size_t first, size_t count, float* rgba) {
+    const auto texel = [&](int32_t offset) { return stack.rgba + 4 * static_cast<size_t>(offset); };
+#if HWY_MAX_BYTES >= 32
+    const hn::FixedTag<float, 8> pair;  // two texels of a row
+    const hn::FixedTag<float, 4> single;
+    alignas(32) static constexpr int32_t kFine[8] = {0, 0, 0, 0, 1, 1, 1, 1}, kCoarse[8] = {2, 2, 2, 2, 3, 3, 3, 3};
+    const auto fine_columns = hn::SetTableIndices(pair, kFine), coarse_columns = hn::SetTableIndices(pair, kCoarse);
+    auto sum = hn::Zero(pair);
+    for (size_t i = first; i < first + count; ++i) {
+        const auto row = [&](int32_t above, int32_t below, float y) {
+            const auto top = hn::LoadU(pair, texel(above)), bottom = hn::LoadU(pair, texel(below));
+            return hn::MulAdd(hn::Sub(bottom, top), hn::Set(pair, y), top);
+        };
+        const auto columns = hn::LoadDup128(pair, queue.columns[i]);
+        const auto fine =
+            hn::Mul(row(queue.fine[i], queue.fine_below[i], queue.fine_y[i]), hn::TableLookupLanes(columns, fine_columns));
+        const auto both = hn::MulAdd(row(queue.coarse[i], queue.coarse_below[i], queue.coarse_y[i]),
+                                     hn::TableLookupLanes(columns, coarse_columns), fine);
+        sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum);
+    }
+    hn::StoreU(hn::Add(hn::LowerHalf(single, sum), hn::UpperHalf(single, sum)), single, rgba);
+#else
+    std::fill_n(rgba, 4, 0.0f);
+    for (size_t i = first; i < first + count; ++i) {
+        const float *columns = queue.columns[i], fine_y = queue.fine_y[i], coarse_y = queue.coarse_y[i];
+        const float *fine = texel(queue.fine[i]), *fine_below = texel(queue.fine_below[i]);
+        const float *coarse = texel(queue.coarse[i]), *coarse_below = texel(queue.coarse_below[i]);
+        const auto row = [](const float* above, const float* below, float y, int k) {
+            return above[k] + (below[k] - above[k]) * y;
+        };
+        for (int k = 0; k < 4; ++k)
+            rgba[k] +=
+                queue.weight[i][k] *
+                (columns[0] * row(fine, fine_below, fine_y, k) + columns[1] * row(fine, fine_below, fine_y, k + 4) +
+                 columns[2] * row(coarse, coarse_below, coarse_y, k) + columns[3] * row(coarse, coarse_below, coarse_y, k + 4));
+    }
+#endif
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burnish
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,147 @@
+// Internal. What `shading_point` is for one pixel, for a block of pixels at a time: frames in light axes and where the views
+// lie in a table of taps. Lanes are pixels. Compiled once per instruction set.
+#include <burnish/light/stack_lookup_simd.h>
+#include <burnish/shading/table_shading.h>
+
+// Included anew for each instruction set.
+#if defined(BURNISH_PIXEL_BLOCK_SIMD) == defined(HWY_TARGET_TOGGLE)
+#ifdef BURNISH_PIXEL_BLOCK_SIMD
+#undef BURNISH_PIXEL_BLOCK_SIMD
+#else
+#define BURNISH_PIXEL_BLOCK_SIMD
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace burnish {
+namespace HWY_NAMESPACE {
+
+/// Pixels in light axes, mirrored at the surface for transmission: reflecting `wo` then gives directions on the far side.
+struct PixelBlock {
+    static constexpr size_t kPixels = 32, kCorners = 1 << TapTable::kAxes;
+    using Planes = float[3][kPixels];
+    HWY_ALIGN Planes t, b, n, wo, ng, wo_local;
+    HWY_ALIGN float corner_weight[kCorners][kPixels];
+    HWY_ALIGN int32_t corner[kCorners][kPixels];  // nodes about the view, as offsets into the table's floats
+    int corners = 1;
+};
+
+HWY_INLINE V3 operator+(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE V3 operator-(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V3 operator*(const V3& a, VF s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE V3 cross(const V3& a, const V3& b) {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+HWY_INLINE VF constant(float value) { return hn::Set(Lanes(), value); }
+HWY_INLINE VF sign_of(VF v) { return hn::CopySign(constant(1), v); }
+
+/// Values i and on of a plane, zeros beyond its end.
+HWY_INLINE VF load(const std::vector<float>& plane, size_t i) {
+    const Lanes d;
+    if (i + hn::Lanes(d) <= plane.size()) return hn::LoadU(d, &plane[i]);
+    HWY_ALIGN float tail[8] = {};
+    std::copy(plane.begin() + static_cast<std::ptrdiff_t>(i), plane.end(), tail);
+    return hn::Load(d, tail);
+}
+HWY_INLINE V3 load(const Vec3Planes& planes, size_t i) { return {load(planes.x, i), load(planes.y, i), load(planes.z, i)}; }
+HWY_INLINE void store(const V3& v, size_t i, PixelBlock::Planes& planes) {
+    const Lanes d;
+    hn::StoreU(v.x, d, planes[0] + i), hn::StoreU(v.y, d, planes[1] + i), hn::StoreU(v.z, d, planes[2] + i);
+}
+
+/// v * m, row vector times matrix.
+HWY_INLINE V3 turned(const V3& v, const Matrix33f& m) {
+    const auto column = [&](int k) { return dot(v, {constant(m[0][k]), constant(m[1][k]), constant(m[2][k])}); };
+    return {column(0), column(1), column(2)};
+}
+
+/// The tangent of Frame::along(n, hint).
+HWY_INLINE V3 tangent_along(const V3& n, const V3& hint) {
+    const V3 t = hint - n * dot(n, hint);
+    const VF length2 = dot(t, t), inverse = hn::Div(constant(1), hn::Sqrt(length2));
+    const VF sign = sign_of(n.z), x_a = hn::Div(hn::Neg(n.x), hn::Add(sign, n.z));
+    const auto defined = hn::Gt(length2, constant(1e-12f));
+    return {hn::IfThenElse(defined, hn::Mul(t.x, inverse), hn::MulAdd(hn::Mul(sign, n.x), x_a, constant(1))),
+            hn::IfThenElse(defined, hn::Mul(t.y, inverse), hn::Mul(hn::Mul(sign, n.y), x_a)),
+            hn::IfThenElse(defined, hn::Mul(t.z, inverse), hn::Neg(hn::Mul(sign, n.x)))};
+}
+
+struct Tangents {
+    V3 t, b;
+};
+
+/// Frame::turned by the lobe's rotation or the pixels' own.
+HWY_INLINE Tangents rotated(const TableShading& shading, const SurfaceBatch& batch, size_t i, const Tangents& f) {
+    const Lanes d;
+    HWY_ALIGN float cosine[8], sine[8];
+    for (size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        const bool own = shading.lobe.per_pixel.rotation && i + lane < batch.rotation.size();
+        const float angle = own ? batch.rotation[i + lane] : shading.lobe.rotation;
+        cosine[lane] = std::cos(angle), sine[lane] = std::sin(angle);
+    }
+    const VF c = hn::Load(d, cosine), s = hn::Load(d, sine);
+    return {f.t * c + f.b * s, f.b * c - f.t * s};
+}
+
+/// The nodes about a place in the table, and their weights.
+HWY_INLINE void find_corners(const TapTable& table, const std::array<VF, TapTable::kAxes>& measures, size_t at,
+                             PixelBlock& block) {
+    const Lanes d;
+    const IntLanes di;
+    VF weight[PixelBlock::kCorners] = {constant(1)};
+    VI node[PixelBlock::kCorners] = {hn::Zero(di)};
+    int corners = 1;
+    for (int a = 0; a < TapTable::kAxes; ++a) {
+        const TapTable::Axis& axis = table.axes()[a];
+        if (axis.count == 1) continue;
+        const VF place = clamped(hn::Mul(hn::Sub(measures[a], constant(axis.low)), constant(axis.per_unit)),
+                                 constant(static_cast<float>(axis.count - 1)));
+        const VI low = hn::Min(hn::ConvertTo(di, place), hn::Set(di, axis.count - 2));
+        const VF part = hn::Sub(place, hn::ConvertTo(d, low));
+        for (int c = 0; c < corners; ++c) {
+            weight[corners + c] = hn::Mul(weight[c], part), weight[c] = hn::Sub(weight[c], weight[corners + c]);
+            node[c] = hn::Add(node[c], hn::Mul(low, hn::Set(di, axis.stride)));
+            node[corners + c] = hn::Add(node[c], hn::Set(di, axis.stride));
+        }
+        corners *= 2;
+    }
+    block.corners = corners;
+    for (int c = 0; c < corners; ++c) {
+        hn::StoreU(weight[c], d, block.corner_weight[c] + at);
+        hn::StoreU(hn::Mul(node[c], hn::Set(di, table.node_floats())), di, block.corner[c] + at);
+    }
+}
+
+/// Pixels i and on of the batch, a vector of them, to entries `at` and on of the block.
+HWY_INLINE void prepare_pixels(const TableShading& shading, const SurfaceBatch& batch, size_t i, size_t at, PixelBlock& block) {
+    const TapTable& table = shading.table;
+    const V3 n = load(batch.n, i), wo = load(batch.wo, i);
+    const bool isotropic = table.axes()[1].count == 1;
+    Tangents f;
+    f.t = tangent_along(n, isotropic ? wo : load(batch.t, i)), f.b = cross(n, f.t);
+    VF x = dot(wo, f.t), y = dot(wo, f.b), z = dot(wo, n);
+    if (!isotropic) {
+        f = rotated(shading, batch, i, f);
+        x = dot(wo, f.t), y = dot(wo, f.b);
+    }
+    const VF side = constant(table.side_sign()), far = constant(table.side_sign() - 1);
+    store(turned(f.t, shading.world_to_light), at, block.t), store(turned(f.b, shading.world_to_light), at, block.b);
+    store(turned(n * side, shading.world_to_light), at, block.n);
+    store(turned(wo + n * hn::Mul(far, z), shading.world_to_light), at, block.wo);
+    store(turned(load(batch.ng, i) * side, shading.world_to_light), at, block.ng);
+    store({x, y, z}, at, block.wo_local);
+
+    const VF cos_o = clamped(z, constant(1)), one = constant(1);
+    const VF a = hn::Div(y, hn::Max(hn::Add(hn::Abs(x), hn::Abs(y)), constant(1e-30f)));
+    const bool rough = shading.lobe.per_pixel.roughness && !batch.roughness.empty();
+    find_corners(table,
+                 {hn::Sub(hn::Sqrt(hn::Sub(one, cos_o)), hn::Sqrt(cos_o)),
+                  hn::IfThenElse(hn::Lt(x, hn::Zero(Lanes())), hn::Sub(constant(2), a), a),
+                  hn::Sqrt(rough ? load(batch.roughness, i) : constant(table.width()))},
+                 at, block);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burnish
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,142 @@
+// The limit of this machine: the bare lookup kernel, nothing else, over lobes of eight directions. What whole estimators
+// reach is to be read against it. Half-float texels are tried here as well.
+#include <burnish/light/cube_pyramid.h>
+#include <burnish/light/cube_resample.h>
+
+#include <Imath/half.h>
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bench_limit.cpp"
+#include <hwy/foreach_target.h>
+
+#include <burnish/light/stack_lookup_simd.h>
+
+#ifndef BURNISH_BENCH_LIMIT
+#define BURNISH_BENCH_LIMIT
+struct LobeDirections {
+    std::vector<float> x, y, z;
+};
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace burnish {
+namespace HWY_NAMESPACE {
+
+#if HWY_MAX_BYTES >= 32
+/// `queued_sum` over half-float texels.
+HWY_INLINE void queued_sum_half(const hwy::float16_t* rgba, const TapQueue& queue, size_t first, size_t count, float* sums) {
+    const hn::FixedTag<float, 8> pair;
+    const hn::FixedTag<float, 4> single;
+    const hn::FixedTag<hwy::float16_t, 8> half;
+    alignas(32) static constexpr int32_t kFine[8] = {0, 0, 0, 0, 1, 1, 1, 1}, kCoarse[8] = {2, 2, 2, 2, 3, 3, 3, 3};
+    const auto fine_columns = hn::SetTableIndices(pair, kFine), coarse_columns = hn::SetTableIndices(pair, kCoarse);
+    const auto texels = [&](int32_t offset) {
+        return hn::PromoteTo(pair, hn::LoadU(half, rgba + 4 * static_cast<size_t>(offset)));
+    };
+    auto sum = hn::Zero(pair);
+    for (size_t i = first; i < first + count; ++i) {
+        const auto row = [&](int32_t above, int32_t below, float y) {
+            const auto top = texels(above);
+            return hn::MulAdd(hn::Sub(texels(below), top), hn::Set(pair, y), top);
+        };
+        const auto columns = hn::LoadDup128(pair, queue.columns[i]);
+        const auto fine =
+            hn::Mul(row(queue.fine[i], queue.fine_below[i], queue.fine_y[i]), hn::TableLookupLanes(columns, fine_columns));
+        const auto both = hn::MulAdd(row(queue.coarse[i], queue.coarse_below[i], queue.coarse_y[i]),
+                                     hn::TableLookupLanes(columns, coarse_columns), fine);
+        sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum);
+    }
+    hn::StoreU(hn::Add(hn::LowerHalf(single, sum), hn::UpperHalf(single, sum)), single, sums);
+}
+#endif
+
+/// Sums of eight lookups each; `half` where not null, else the stack itself.
+float bare_lookups(const CubeStack& stack, [[maybe_unused]] const hwy::float16_t* half, float level,
+                   const LobeDirections& dirs) {
+    const Lanes d;
+    TapQueue queue;
+    std::fill_n(&queue.weight[0][0], 4 * TapQueue::kCapacity, 1.0f);
+    float total = 0, rgba[4];
+    for (size_t first = 0; first < dirs.x.size(); first += TapQueue::kCapacity) {
+        for (size_t i = 0; i < TapQueue::kCapacity; i += hn::Lanes(d))
+            queue_taps(stack.layout(), stack.level_count(), CubePyramid::kDistortion,
+                       {hn::LoadU(d, &dirs.x[first + i]), hn::LoadU(d, &dirs.y[first + i]), hn::LoadU(d, &dirs.z[first + i])},
+                       hn::Set(d, level), i, queue);
+        for (size_t i = 0; i < TapQueue::kCapacity; i += 8) {
+#if HWY_MAX_BYTES >= 32
+            if (half)
+                queued_sum_half(half, queue, i, 8, rgba);
+            else
+#endif
+                queued_sum(stack.layout(), queue, i, 8, rgba);
+            total += rgba[0];
+        }
+    }
+    return total;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burnish
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace burnish {
+namespace {
+
+HWY_EXPORT(bare_lookups);
+
+Image noise_latlong(int width) {
+    std::mt19937 random(1);
+    Image image(width, width / 2, 3);
+    for (float& value : image.data) value = static_cast<float>(random() >> 8) * 0x1p-24f;
+    return image;
+}
+
+/// Lobes of eight directions: along a slow spiral, each as wide as the footprints of its samples ask at this level of a 512^2
+/// cube; or anywhere on the sphere.
+LobeDirections directions(bool coherent, float level) {
+    std::mt19937 random(2);
+    const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+    constexpr int kCount = 1 << 17;
+    LobeDirections all;
+    for (int i = 0; i < kCount; ++i) {
+        const float t = static_cast<float>(i / 8) / (kCount / 8), radius = 1.5f * std::exp2(level) * 2 / 512;
+        const float z = coherent ? 1 - 2 * t : 1 - 2 * uniform(), phi = 2 * kPi * (coherent ? 50 * t : uniform());
+        const float r = std::sqrt(std::max(0.0f, 1 - z * z)), turn = 2 * kPi * static_cast<float>(i % 8) / 8;
+        const Frame frame = Frame::around({r * std::cos(phi), r * std::sin(phi), z});
+        const Vec3f d =
+            coherent ? frame.n + frame.t * (radius * std::cos(turn)) + frame.b * (radius * std::sin(turn)) : frame.n;
+        all.x.push_back(d.x), all.y.push_back(d.y), all.z.push_back(d.z);
+    }
+    return all;
+}
+
+/// Arguments: half-float texels, coherent, 10 * level. Faces of 512^2.
+void lookup_limit(benchmark::State& state) {
+    static const CubePyramid pyramid(latlong_to_cube(noise_latlong(2048), 512), PyramidKernel::box2);
+    const CubeStack& stack = pyramid.stack();
+    const float level = static_cast<float>(state.range(2)) / 10;
+    std::vector<hwy::float16_t> half;
+    if (state.range(0)) {
+        size_t texels = 0;
+        for (int k = 0; k < stack.level_count(); ++k) texels += CubeLevel::float_count(stack[k].size());
+        for (size_t i = 0; i < texels; ++i) half.push_back({Imath::half(stack.layout().rgba[i]).bits()});
+    }
+    const LobeDirections dirs = directions(state.range(1) != 0, level);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(HWY_DYNAMIC_DISPATCH(bare_lookups)(stack, half.empty() ? nullptr : half.data(), level, dirs));
+    state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(dirs.x.size()));
+}
+
+}  // namespace
+}  // namespace burnish
+
+BENCHMARK(burnish::lookup_limit)
+    ->ArgNames({"half", "coherent", "level_x10"})
+    ->ArgsProduct({{0, 1}, {1}, {3, 15, 32}})
+    ->Args({0, 0, 15})
+    ->Args({1, 0, 15});
+#endif
