@@ -1,175 +1,159 @@
-// The Gaussian over whole texels: w_i = Omega_i exp(-(1 - cos) / sigma^2), cut off where it is 4e-3 of its peak.
+// Sums over the texels under a Gaussian. Small caps weigh their texels once for the six faces and for the four mirror images
+// of a place on each; what lies beyond an edge is unfolded around the face.
 #include <burnish/base/parallel.h>
 #include <burnish/light/gaussian_blur.h>
+#include <burnish/light/gaussian_cap.h>
 
-#include <vector>
+#include <numeric>
 
 namespace burnish {
 namespace {
 
-constexpr double kCutOff = 5.5;        // in (1 - cos) / sigma^2
-constexpr double kSmallCapSine = 0.3;  // up to here a cap's rows are found in closed form
+using SixTexels = float[6][4];
 
-/// Variance of the cut-off Gaussian with this mean versine: (1 - cos) / sigma^2 is distributed as exp(-x), x in [0, kCutOff].
-double cut_off_variance(double versine) {
-    const double variance = versine / (1.0 - kCutOff / std::expm1(kCutOff));
-    if (2.0 / variance > kCutOff) return variance;
-    const double sigma = sigma_of_versine(versine);
-    return sigma * sigma;
-}
-
-/// exp(-x) for x in [0, kCutOff], to 1e-4; a polynomial, because compilers vectorise it.
-float exp_minus(float x) {
-    const float y = x * (1.0f / 8.0f);
-    const float p = 1.0f - y * (1.0f - y * (1.0f / 2.0f) * (1.0f - y * (1.0f / 3.0f) * (1.0f - y * (1.0f / 4.0f))));
-    const float p2 = p * p, p4 = p2 * p2;
-    return p4 * p4;
-}
-
-struct Range {
-    int first, last;  // inclusive; empty when last < first
+struct Mirror {
+    bool x, y;
 };
 
-/// A cap of directions around d with (1 - cos) <= reach, as a kernel over the texels of faces with `size` texels a side.
-class Cap {
-public:
-    Cap(double versine, int size)
-        : m_variance(cut_off_variance(versine)),
-          m_reach(std::min(2.0, kCutOff * m_variance)),
-          m_sine2(m_reach * (2.0 - m_reach)),
-          m_small(m_reach < 1.0 && m_sine2 < kSmallCapSine * kSmallCapSine),
-          m_size(size) {}
-
-    /// Rows of a face that hold texel centres in the cap, d = (forward, right, up) unit.
-    Range rows(const Vec3f& d) const {
-        if (!m_small) return {0, m_size - 1};
-        const double sine = std::sqrt(m_sine2);
-        if (d.x <= sine) return {0, -1};
-        const auto [low, high] = extent(d.x, d.z);
-        return texels(-high, -low);
-    }
-
-    /// Whether all of it is on the face whose forward axis d.x is along.
-    bool on_the_face(const Vec3f& d) const {
-        if (!m_small || d.x * d.x <= m_sine2) return false;
-        const auto [left, right] = extent(d.x, d.y);
-        const auto [bottom, top] = extent(d.x, d.z);
-        return left >= -1.0 && right <= 1.0 && bottom >= -1.0 && top <= 1.0;
-    }
-
-    /// The texels of a row at height `up` in [-1, 1].
-    Range columns(const Vec3f& d, double up) const {
-        const double cosine2 = 1.0 - m_sine2, forward = d.x + d.z * up;
-        const double a = static_cast<double>(d.y) * d.y - cosine2, b = d.y * forward,
-                     c = forward * forward - cosine2 * (1.0 + up * up), square = b * b - a * c;
-        if (!m_small || a >= 0.0) return {0, m_size - 1};
-        if (square < 0.0) return {0, -1};
-        const double root = std::sqrt(square);
-        return texels((-b + root) / a, (-b - root) / a);
-    }
-
-    /// Weights of the texels of a row: columns [range.first, range.last].
-    double weigh(const Vec3f& d, float up, const Range& range, float* weights) const {
-        const float step = 2.0f / static_cast<float>(m_size), area = step * step,
-                    sharpness = static_cast<float>(1.0 / m_variance), reach = static_cast<float>(m_reach);
-        float total = 0;
-        for (int i = 0; i <= range.last - range.first; ++i) {
-            const float right = (static_cast<float>(range.first + i) + 0.5f) * step - 1.0f;
-            const float q = 1.0f / (1.0f + right * right + up * up), s = std::sqrt(q);
-            const float x = d.y * up - d.z * right, y = d.z - d.x * up, z = d.x * right - d.y;
-            const float cosine = (d.x + d.y * right + d.z * up) * s, sine2 = (x * x + y * y + z * z) * q;
-            const float versine = cosine > 0.0f ? sine2 / (1.0f + cosine) : 1.0f - cosine;
-            weights[i] = versine <= reach ? area * q * s * exp_minus(versine * sharpness) : 0.0f;
-            total += weights[i];
-        }
-        return total;
-    }
-
-private:
-    /// tan of the angles between which the cap lies, in the plane of the forward axis and another.
-    std::array<double, 2> extent(double forward, double other) const {
-        const double mean = forward * other, root = std::sqrt(m_sine2 * (forward * forward + other * other - m_sine2)),
-                     scale = 1.0 / (forward * forward - m_sine2);
-        return {(mean - root) * scale, (mean + root) * scale};
-    }
-    Range texels(double low, double high) const {
-        const double half = 0.5 * m_size, first = std::ceil(half * (low + 1.0) - 0.5),
-                     last = std::floor(half * (high + 1.0) - 0.5);
-        return {static_cast<int>(std::clamp(first, 0.0, 1.0 * m_size)), static_cast<int>(std::clamp(last, -1.0, m_size - 1.0))};
-    }
-
-    double m_variance, m_reach, m_sine2;
-    bool m_small;
-    int m_size;
-};
-
-/// Texels of one face in runs along its rows, with their weights.
+/// The texels of a small cap around a place on a face, whichever of the six.
 class Footprint {
 public:
-    void clear() { m_runs.clear(), m_weights.clear(), m_total = 0; }
+    Footprint(int size, std::span<const float> cosines) : m_size(size), m_cosines(cosines) {}
 
-    /// The part of the cap around d = (forward, right, up) on the face that `offset` is the first texel of.
-    void add(const Cap& cap, const Vec3f& d, int size, size_t offset) {
-        const Range rows = cap.rows(d);
-        for (int y = rows.first; y <= rows.last; ++y) {
-            const double up = 1.0 - (2.0 * y + 1.0) / size;
-            const Range range = cap.columns(d, up);
-            if (range.last < range.first) continue;
-            const size_t old = m_weights.size(), count = range.last - range.first + 1;
-            m_weights.resize(old + count);
-            m_total += cap.weigh(d, static_cast<float>(up), range, &m_weights[old]);
-            m_runs.push_back({offset + 4 * (static_cast<size_t>(y) * (size + 2) + range.first), static_cast<int>(count)});
+    void fill(const GaussianCap& cap, const Vec3f& d) {
+        m_runs.clear(), m_weights.clear(), m_beyond.clear();
+        add_own(cap, d);
+        if (!cap.on_the_face(d)) {
+            add_neighbour(cap, {d.y, -d.x, d.z}, m_size, 0);
+            add_neighbour(cap, {-d.y, d.x, d.z}, -m_size, 0);
+            add_neighbour(cap, {d.z, d.y, -d.x}, 0, -m_size);
+            add_neighbour(cap, {-d.z, d.y, d.x}, 0, m_size);
         }
+        normalise();
     }
 
-    void sum(const float* texels, float* out) const {
-        float total[4] = {0, 0, 0, 0};
+    /// The weighted sums for the six faces at once: they are independent, which keeps the processor busy.
+    void sum(const CubeLevel& source, Mirror mirror, SixTexels& total) const {
+        const float* faces[6];
+        for (int face = 0; face < 6; ++face) faces[face] = source.at(face, 0, 0);
         const float* weight = m_weights.data();
+        const std::ptrdiff_t step = mirror.x ? -4 : 4;
         for (const Run& run : m_runs) {
-            const float* texel = texels + run.offset;
-            for (int i = 0; i < run.count; ++i, ++weight, texel += 4) {
-                for (int k = 0; k < 4; ++k) total[k] += *weight * texel[k];
+            std::ptrdiff_t offset = source.at(0, mirrored(run.x, mirror.x), mirrored(run.y, mirror.y)) - faces[0];
+            for (int i = 0; i < run.count; ++i, ++weight, offset += step) {
+                for (int face = 0; face < 6; ++face) {
+                    for (int k = 0; k < 4; ++k) total[face][k] += *weight * faces[face][offset + k];
+                }
             }
         }
-        for (int k = 0; k < 4; ++k) out[k] = total[k] / static_cast<float>(m_total);
+        for (const Beyond& texel : m_beyond) {
+            for (int face = 0; face < 6; ++face) {
+                const CubeTexel t = unfolded_texel(face, mirrored(texel.x, mirror.x), mirrored(texel.y, mirror.y), m_size);
+                const float* rgba = source.at(t.face, t.x, t.y);
+                for (int k = 0; k < 4; ++k) total[face][k] += texel.weight * rgba[k];
+            }
+        }
     }
 
 private:
     struct Run {
-        size_t offset;
-        int count;
+        int x, y, count;
     };
+    struct Beyond {
+        int x, y;
+        float weight;
+    };
+
+    int mirrored(int i, bool mirror) const { return mirror ? m_size - 1 - i : i; }
+
+    void add_own(const GaussianCap& cap, const Vec3f& d) {
+        const TexelRange rows = cap.rows(d);
+        for (int y = rows.first; y <= rows.last; ++y) {
+            const TexelRange range = cap.columns(d, y);
+            if (range.last < range.first) continue;
+            const size_t old = m_weights.size();
+            m_weights.resize(old + range.last - range.first + 1);
+            cap.weigh(d, y, range, m_cosines, &m_weights[old]);
+            m_runs.push_back({range.first, y, range.last - range.first + 1});
+        }
+    }
+
+    /// d along the neighbour's axes when it is turned to continue this face, (dx, dy) texels away.
+    void add_neighbour(const GaussianCap& cap, const Vec3f& d, int dx, int dy) {
+        const TexelRange rows = cap.rows(d);
+        for (int y = rows.first; y <= rows.last; ++y) {
+            const TexelRange range = cap.columns(d, y);
+            if (range.last < range.first) continue;
+            m_row.resize(range.last - range.first + 1);
+            cap.weigh(d, y, range, m_cosines, m_row.data());
+            for (int x = range.first; x <= range.last; ++x) m_beyond.push_back({x + dx, y + dy, m_row[x - range.first]});
+        }
+    }
+
+    void normalise() {
+        float total = std::accumulate(m_weights.begin(), m_weights.end(), 0.0f);
+        for (const Beyond& texel : m_beyond) total += texel.weight;
+        for (float& weight : m_weights) weight /= total;
+        for (Beyond& texel : m_beyond) texel.weight /= total;
+    }
+
+    int m_size;
+    std::span<const float> m_cosines;
     std::vector<Run> m_runs;
-    std::vector<float> m_weights;
-    double m_total = 0;
+    std::vector<float> m_weights, m_row;
+    std::vector<Beyond> m_beyond;
 };
 
-/// The cap's texels on all the faces, offsets from the first texel of the cube.
-void add_everywhere(const Cap& cap, const Vec3f& world, const CubeLevel& source, Footprint& footprint) {
+/// Any cap, over all texels of the cube.
+void sum_everywhere(const CubeLevel& source, const GaussianCap& cap, const Vec3f& world, std::span<const float> cosines,
+                    float* out) {
+    const int n = source.size();
+    std::vector<float> weights(n);
+    float sum[4] = {0, 0, 0, 0}, total = 0;
     for (int face = 0; face < 6; ++face) {
-        const auto offset = static_cast<size_t>(source.at(face, 0, 0) - source.at(0, 0, 0));
-        footprint.add(cap, cube_to_face(face, world), source.size(), offset);
+        const Vec3f d = cube_to_face(face, world);
+        for (int y = 0; y < n; ++y) {
+            cap.weigh(d, y, {0, n - 1}, cosines, weights.data());
+            const float* texel = source.at(face, 0, y);
+            for (int x = 0; x < n; ++x, texel += 4) {
+                for (int k = 0; k < 4; ++k) sum[k] += weights[x] * texel[k];
+                total += weights[x];
+            }
+        }
+    }
+    for (int k = 0; k < 4; ++k) out[k] = sum[k] / total;
+}
+
+void blur_place(const CubeLevel& source, Footprint& footprint, int x, int y, CubeLevel& target) {
+    const int last = target.size() - 1;
+    for (const Mirror mirror : {Mirror{false, false}, Mirror{true, false}, Mirror{false, true}, Mirror{true, true}}) {
+        SixTexels total = {};
+        footprint.sum(source, mirror, total);
+        for (int face = 0; face < 6; ++face)
+            std::copy_n(total[face], 4, target.at(face, mirror.x ? last - x : x, mirror.y ? last - y : y));
     }
 }
 
 }  // namespace
 
 void blur_by_sum(const CubeLevel& source, const GaussianBlur& blur, CubeLevel& target) {
-    const int n = target.size();
-    for_each_index(n, [&](int y) {
-        Footprint footprint;
-        for (int x = 0; x < n; ++x) {
+    const int n = target.size(), half = (n + 1) / 2;
+    const std::vector<float> cosines = texel_cosines(source.size());
+    for_each_index(half, [&](int y) {
+        Footprint footprint(source.size(), cosines);
+        for (int x = 0; x < half; ++x) {
             const Vec3f place = face_place(x, y, n), d = place.normalized();
-            const Cap cap(blur.kernel_versine(1.0 / place.length2(), n), source.size());
-            footprint.clear();
-            const bool shared = cap.on_the_face(d);
-            if (shared) footprint.add(cap, d, source.size(), 0);
+            const GaussianCap cap(blur.kernel_versine(1.0 / place.length2(), n), source.size());
+            if (cap.small()) {
+                footprint.fill(cap, d);
+                blur_place(source, footprint, x, y, target);
+                continue;
+            }
             for (int face = 0; face < 6; ++face) {
-                if (!shared) {
-                    footprint.clear();
-                    add_everywhere(cap, face_to_cube(face, d), source, footprint);
+                for (const Vec3f& m : {d, Vec3f(d.x, -d.y, d.z), Vec3f(d.x, d.y, -d.z), Vec3f(d.x, -d.y, -d.z)}) {
+                    float* out = target.at(face, m.y == d.y ? x : n - 1 - x, m.z == d.z ? y : n - 1 - y);
+                    sum_everywhere(source, cap, face_to_cube(face, m), cosines, out);
                 }
-                footprint.sum(source.at(shared ? face : 0, 0, 0), target.at(face, x, y));
             }
         }
     });
