@@ -15,10 +15,41 @@ struct Mirror {
     bool x, y;
 };
 
+/// Where the texels beyond the edges of a face are: as unfolded_texel, but in floats from the first texel of the cube.
+class Unfolding {
+public:
+    explicit Unfolding(const CubeLevel& level) : m_size(level.size()) {
+        const int n = m_size;
+        const std::array<CubeTexel, 4> within = {{{0, -2, 0}, {0, n, 0}, {0, 0, -2}, {0, 0, n}}};
+        for (int face = 0; face < 6 && n > 1; ++face) {
+            for (int side = 0; side < 4; ++side) {
+                const int x = within[side].x, y = within[side].y;
+                const auto offset = [&](int dx, int dy) {
+                    const CubeTexel t = unfolded_texel(face, x + dx, y + dy, n);
+                    return level.at(t.face, t.x, t.y) - level.at(0, 0, 0);
+                };
+                const std::ptrdiff_t right = offset(1, 0) - offset(0, 0), down = offset(0, 1) - offset(0, 0);
+                m_grids[side][face] = {offset(0, 0) - right * x - down * y, right, down};
+            }
+        }
+    }
+
+    struct Grid {
+        std::ptrdiff_t origin, x, y;
+    };
+    /// The grids, for the six faces, that hold the texel (x, y) beyond an edge.
+    const std::array<Grid, 6>& grids(int x, int y) const { return m_grids[x < 0 ? 0 : (x >= m_size ? 1 : (y < 0 ? 2 : 3))]; }
+
+private:
+    int m_size;
+    std::array<std::array<Grid, 6>, 4> m_grids{};  // left, right, above, below
+};
+
 /// The texels of a small cap around a place on a face, whichever of the six.
 class Footprint {
 public:
-    Footprint(int size, std::span<const float> cosines) : m_size(size), m_cosines(cosines) {}
+    Footprint(const CubeLevel& source, const Unfolding& unfolding, std::span<const float> cosines)
+        : m_source(source), m_unfolding(unfolding), m_size(source.size()), m_cosines(cosines) {}
 
     void fill(const GaussianCap& cap, const Vec3f& d) {
         m_runs.clear(), m_weights.clear(), m_beyond.clear();
@@ -33,23 +64,14 @@ public:
     }
 
     /// The weighted sums for the six faces at once: they are independent, which keeps the processor busy.
-    void sum(const CubeLevel& source, Mirror mirror, SixTexels& total) const {
-        const float* faces[6];
-        for (int face = 0; face < 6; ++face) faces[face] = source.at(face, 0, 0);
-        const float* weight = m_weights.data();
-        const std::ptrdiff_t step = mirror.x ? -4 : 4;
-        for (const Run& run : m_runs) {
-            std::ptrdiff_t offset = source.at(0, mirrored(run.x, mirror.x), mirrored(run.y, mirror.y)) - faces[0];
-            for (int i = 0; i < run.count; ++i, ++weight, offset += step) {
-                for (int face = 0; face < 6; ++face) {
-                    for (int k = 0; k < 4; ++k) total[face][k] += *weight * faces[face][offset + k];
-                }
-            }
-        }
+    void sum(Mirror mirror, SixTexels& total) const {
+        sum_own(mirror, total);
+        const float* cube = m_source.at(0, 0, 0);
         for (const Beyond& texel : m_beyond) {
+            const int x = mirrored(texel.x, mirror.x), y = mirrored(texel.y, mirror.y);
+            const auto& grids = m_unfolding.grids(x, y);
             for (int face = 0; face < 6; ++face) {
-                const CubeTexel t = unfolded_texel(face, mirrored(texel.x, mirror.x), mirrored(texel.y, mirror.y), m_size);
-                const float* rgba = source.at(t.face, t.x, t.y);
+                const float* rgba = cube + grids[face].origin + x * grids[face].x + y * grids[face].y;
                 for (int k = 0; k < 4; ++k) total[face][k] += texel.weight * rgba[k];
             }
         }
@@ -63,6 +85,21 @@ private:
         int x, y;
         float weight;
     };
+
+    void sum_own(Mirror mirror, SixTexels& total) const {
+        const float* faces[6];
+        for (int face = 0; face < 6; ++face) faces[face] = m_source.at(face, 0, 0);
+        const float* weight = m_weights.data();
+        const std::ptrdiff_t step = mirror.x ? -4 : 4;
+        for (const Run& run : m_runs) {
+            std::ptrdiff_t offset = m_source.at(0, mirrored(run.x, mirror.x), mirrored(run.y, mirror.y)) - faces[0];
+            for (int i = 0; i < run.count; ++i, ++weight, offset += step) {
+                for (int face = 0; face < 6; ++face) {
+                    for (int k = 0; k < 4; ++k) total[face][k] += *weight * faces[face][offset + k];
+                }
+            }
+        }
+    }
 
     int mirrored(int i, bool mirror) const { return mirror ? m_size - 1 - i : i; }
 
@@ -97,6 +134,8 @@ private:
         for (Beyond& texel : m_beyond) texel.weight /= total;
     }
 
+    const CubeLevel& m_source;
+    const Unfolding& m_unfolding;
     int m_size;
     std::span<const float> m_cosines;
     std::vector<Run> m_runs;
@@ -124,11 +163,11 @@ void sum_everywhere(const CubeLevel& source, const GaussianCap& cap, const Vec3f
     for (int k = 0; k < 4; ++k) out[k] = sum[k] / total;
 }
 
-void blur_place(const CubeLevel& source, Footprint& footprint, int x, int y, CubeLevel& target) {
+void blur_place(const Footprint& footprint, int x, int y, CubeLevel& target) {
     const int last = target.size() - 1;
     for (const Mirror mirror : {Mirror{false, false}, Mirror{true, false}, Mirror{false, true}, Mirror{true, true}}) {
         SixTexels total = {};
-        footprint.sum(source, mirror, total);
+        footprint.sum(mirror, total);
         for (int face = 0; face < 6; ++face)
             std::copy_n(total[face], 4, target.at(face, mirror.x ? last - x : x, mirror.y ? last - y : y));
     }
@@ -139,14 +178,15 @@ void blur_place(const CubeLevel& source, Footprint& footprint, int x, int y, Cub
 void blur_by_sum(const CubeLevel& source, const GaussianBlur& blur, CubeLevel& target) {
     const int n = target.size(), half = (n + 1) / 2;
     const std::vector<float> cosines = texel_cosines(source.size());
+    const Unfolding unfolding(source);
     for_each_index(half, [&](int y) {
-        Footprint footprint(source.size(), cosines);
+        Footprint footprint(source, unfolding, cosines);
         for (int x = 0; x < half; ++x) {
             const Vec3f place = face_place(x, y, n), d = place.normalized();
             const GaussianCap cap(blur.kernel_versine(1.0 / place.length2(), n), source.size());
             if (cap.small()) {
                 footprint.fill(cap, d);
-                blur_place(source, footprint, x, y, target);
+                blur_place(footprint, x, y, target);
                 continue;
             }
             for (int face = 0; face < 6; ++face) {

@@ -104,8 +104,10 @@ std::array<double, 2> GaussianCap::extent(double forward, double other) const {
 }
 
 TexelRange GaussianCap::texels(double low, double high) const {
-    const double half = 0.5 * m_size, first = std::ceil(half * (low + 1.0) - 0.5), last = std::floor(half * (high + 1.0) - 0.5);
-    return {static_cast<int>(std::clamp(first, 0.0, 1.0 * m_size)), static_cast<int>(std::clamp(last, -1.0, m_size - 1.0))};
+    const auto edge = [&](double place) {
+        return static_cast<int>(std::clamp(0.5 * m_size * (place + 1.0) + 0.5, 0.0, 1.0 * m_size));
+    };
+    return {edge(low), edge(high) - 1};
 }
 
 }  // namespace burnish
