@@ -14,7 +14,7 @@ namespace burnish {
 class CubeStack {
 public:
     CubeStack() = default;
-    /// Black levels of these face sizes, finest first.
+    /// Levels of these face sizes, finest first; their texels are yet to be set (memory is not touched before).
     explicit CubeStack(std::span<const int> sizes);
 
     int level_count() const { return static_cast<int>(m_levels.size()); }
