@@ -21,7 +21,7 @@ struct Options {
 };
 
 void print_json(const Environment& light) {
-    const nlohmann::json out = {{"face_size", light.pyramid().face_size()},
+    const nlohmann::json out = {{"face_size", light.face_size()},
                                 {"levels", light.pyramid().level_count()},
                                 {"notes", light.notes()},
                                 {"warnings", light.warnings()}};
@@ -39,7 +39,7 @@ int envmap(const Options& options) {
     const auto light = load_light(job, ColorFlow(job), Renderer::unknown);
     if (!options.output.empty()) {
         const EnvmapLayout layout = options.layout == "cube" ? EnvmapLayout::cube : EnvmapLayout::latlong;
-        const int natural = light->pyramid().face_size() * (layout == EnvmapLayout::cube ? 1 : 4);
+        const int natural = light->face_size() * (layout == EnvmapLayout::cube ? 1 : 4);
         const int size = options.size > 0 ? options.size : natural;
         write_envmap(options.output, envmap_picture(*light, job.light.up, layout, size), layout);
     }

@@ -82,7 +82,7 @@ void bind_light(py::module_& module) {
         .def_property_readonly("world_to_light", &world_to_light)
         .def_property_readonly(
             "gain", [](const Environment& light) { return py::make_tuple(light.gain().x, light.gain().y, light.gain().z); })
-        .def_property_readonly("face_size", [](const Environment& light) { return light.pyramid().face_size(); })
+        .def_property_readonly("face_size", [](const Environment& light) { return light.face_size(); })
         .def_property_readonly("level_count", [](const Environment& light) { return light.pyramid().level_count(); })
         .def_property_readonly("notes", &Environment::notes)
         .def_property_readonly("warnings", &Environment::warnings);

@@ -2,6 +2,7 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
@@ -23,7 +24,10 @@ void for_each_tile(int width, int height, const Progress& progress, const std::s
     });
 }
 
-void for_each_index(int count, const std::function<void(int)>& work) { tbb::parallel_for(0, count, work); }
+// Isolated: a thread that waits here inside a std::call_once must not take up outer work that waits for the same.
+void for_each_index(int count, const std::function<void(int)>& work) {
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, count, work); });
+}
 
 ThreadLimit::ThreadLimit(int threads) {
     using Control = tbb::global_control;

@@ -30,6 +30,26 @@ struct CubeFaceAxes {
 inline constexpr CubeFaceAxes kCubeFaces[6] = {{2, 1, 1, 1},  {2, -1, 1, 1}, {0, 1, 2, 1},
                                                {0, 1, 2, -1}, {0, -1, 1, 1}, {0, 1, 1, 1}};
 
+/// A vector given along a face's (forward, right, up) axes, and back.
+inline Vec3f face_to_cube(int face, const Vec3f& v) {
+    const CubeFaceAxes& axes = kCubeFaces[face];
+    Vec3f d;
+    d[face / 2] = face % 2 ? -v.x : v.x;
+    d[axes.right] = axes.right_sign * v.y;
+    d[axes.up] = axes.up_sign * v.z;
+    return d;
+}
+inline Vec3f cube_to_face(int face, const Vec3f& d) {
+    const CubeFaceAxes& axes = kCubeFaces[face];
+    return {face % 2 ? -d[face / 2] : d[face / 2], axes.right_sign * d[axes.right], axes.up_sign * d[axes.up]};
+}
+
+/// Where a texel centre lies on the cube [-1, 1]^3, along its face's axes: (1, right, up).
+inline Vec3f face_place(int x, int y, int size) {
+    const auto along = [&](int i) { return static_cast<float>(2 * i + 1 - size) / static_cast<float>(size); };
+    return {1.0f, along(x), -along(y)};
+}
+
 /// Where direction d (any length) meets the cube. A zero or non-finite d gives some place inside [0, 1]^2.
 inline CubeCoord cube_coord(const Vec3f& d) {
     const float ax = std::fabs(d.x), ay = std::fabs(d.y), az = std::fabs(d.z);

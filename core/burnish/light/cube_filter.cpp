@@ -29,10 +29,15 @@ int mirrored(int i, int size) { return i < 0 ? -1 - i : (i < size ? i : 2 * size
 FaceField solid_angles(int face_size) {
     const int n = face_size / 2;
     FaceField omega{n, std::vector<double>(static_cast<size_t>(n) * n)};
-    const auto edge = [&](int i) { return 2.0 * i / face_size - 1.0; };
+    const auto corner = [&](int x, int y) {  // of what lies between it and the face's middle
+        return cube_solid_angle(2.0 * x / face_size - 1.0, 0.0, 2.0 * y / face_size - 1.0, 0.0);
+    };
     for_each_index(n, [&](int y) {
+        double left = corner(0, y) - corner(0, y + 1);
         for (int x = 0; x < n; ++x) {
-            omega.values[static_cast<size_t>(y) * n + x] = cube_solid_angle(edge(x), edge(x + 1), edge(y), edge(y + 1));
+            const double right = corner(x + 1, y) - corner(x + 1, y + 1);
+            omega.values[static_cast<size_t>(y) * n + x] = left - right;
+            left = right;
         }
     });
     return omega;
@@ -104,27 +109,34 @@ FaceField quotient(const FaceField& over, const FaceField& under) {
     return result;
 }
 
-/// Moves a factor past its new value (successive over-relaxation); returns the largest relative step.
-double relax(FaceField& factor, const FaceField& balanced) {
-    double worst = 0;
-    for (size_t i = 0; i < factor.values.size(); ++i) {
-        const double step = balanced.values[i] / factor.values[i] - 1.0;
-        worst = std::max(worst, std::fabs(step));
-        factor.values[i] *= 1.0 + kOverRelaxation * step;
-    }
-    return worst;
+/// Moves a factor past share / sum, its new value (successive over-relaxation); returns the largest relative step.
+double relax(FaceField& factor, const FaceField& share, const FaceField& sum) {
+    const int n = factor.size;
+    std::vector<double> worst(n);
+    for_each_index(n, [&](int y) {
+        const size_t row = static_cast<size_t>(y) * n;
+        double most = 0.0;
+        for (int x = 0; x < n; ++x) {
+            double& value = factor.values[row + x];
+            const double step = share.values[row + x] / (sum.values[row + x] * value) - 1.0;
+            most = std::max(most, std::fabs(step));
+            value *= 1.0 + kOverRelaxation * step;
+        }
+        worst[y] = most;
+    });
+    return *std::max_element(worst.begin(), worst.end());
 }
 
 /// A quarter's values for the whole face.
 std::vector<float> whole_face(const FaceField& quarter) {
     const int n = quarter.size;
     std::vector<float> face(static_cast<size_t>(4 * n) * n);
-    for (int y = 0; y < 2 * n; ++y) {
+    for_each_index(2 * n, [&](int y) {
         for (int x = 0; x < 2 * n; ++x) {
             const double value = quarter.values[static_cast<size_t>(mirrored(y, n)) * n + mirrored(x, n)];
             face[static_cast<size_t>(y) * 2 * n + x] = static_cast<float>(value);
         }
-    }
+    });
     return face;
 }
 
@@ -203,7 +215,7 @@ void filter_band(RowReducer reducer, int face, int first, int last, const std::v
         for (size_t t = 0; t < reducer.taps().size(); ++t) {
             const float tap = reducer.taps()[t];
             const float* in = &reduced[(2 * static_cast<size_t>(y - first) + t) * stride];
-            for (size_t k = 0; k < stride; ++k) out[k] += tap * in[k];
+            for (size_t k = 0; k < stride; ++k) out[k] = t == 0 ? tap * in[k] : out[k] + tap * in[k];
         }
         const float* weight = &coarse_weight[static_cast<size_t>(y) * n];
         for (size_t k = 0; k < stride; ++k) out[k] *= weight[k / 4];
@@ -221,8 +233,8 @@ void CubeFilter::balance() {
     for (double& value : a.values) value = std::sqrt(value);
     FaceField b = quotient(m_fine, spread(a, m_taps));
     for (int step = 0; step < kMaxBalanceSteps; ++step) {
-        const double coarse_error = relax(a, quotient(m_coarse, gathered(b, m_taps)));
-        const double fine_error = relax(b, quotient(m_fine, spread(a, m_taps)));
+        const double coarse_error = relax(a, m_coarse, gathered(b, m_taps));
+        const double fine_error = relax(b, m_fine, spread(a, m_taps));
         if (std::max(coarse_error, fine_error) < kBalanceTolerance) break;
     }
     a = quotient(m_coarse, gathered(b, m_taps));

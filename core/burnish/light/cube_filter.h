@@ -28,7 +28,7 @@ public:
     /// For a pyramid whose finest faces have `size` texels a side.
     CubeFilter(int size, PyramidKernel kernel);
 
-    /// Fills `coarse`, black and of half the size, borders too. Levels must come in order, from the finest on.
+    /// Sets all texels of `coarse`, of half the size, borders too. Levels must come in order, from the finest on.
     void coarser(const CubeLevel& fine, CubeLevel& coarse);
 
 private:

@@ -12,7 +12,10 @@ void copy_texel(const float* from, float* to) { std::copy_n(from, 4, to); }
 void CubeLevel::fill(const std::array<Image, 6>& faces) {
     for_each_index(6 * m_size, [&](int row) {
         const int face = row / m_size, y = row % m_size;
-        for (int x = 0; x < m_size; ++x) std::copy_n(faces[face].at(x, y), 3, at(face, x, y));
+        for (int x = 0; x < m_size; ++x) {
+            std::copy_n(faces[face].at(x, y), 3, at(face, x, y));
+            at(face, x, y)[3] = 0.0f;
+        }
     });
     fill_borders();
 }

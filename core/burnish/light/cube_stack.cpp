@@ -18,7 +18,7 @@ CubeStack::CubeStack(std::span<const int> sizes) {
                         "cube map: expected at most 2^31 texels in all levels, found more at a face size of " +
                             std::to_string(size) + ". Use smaller faces.");
     }
-    const auto block = std::make_shared<float[]>(total);
+    const auto block = std::make_shared_for_overwrite<float[]>(total);
     for (size_t k = 0; k < sizes.size(); ++k)
         m_levels.emplace_back(sizes[k], std::shared_ptr<float[]>(block, &block[4 * static_cast<size_t>(m_layout.begins[k])]));
     m_layout.rgba = block.get();

@@ -15,7 +15,8 @@ namespace burnish {
 class CubeStack {
 public:
     CubeStack() = default;
-    /// Black levels of these face sizes, finest first. Throws Error(bad_argument) beyond 2^31 texels.
+    /// Levels of these face sizes, finest first; their texels are yet to be set (memory is not touched before).
+    /// Throws Error(bad_argument) beyond 2^31 texels.
     explicit CubeStack(std::span<const int> sizes);
 
     int level_count() const { return static_cast<int>(m_levels.size()); }

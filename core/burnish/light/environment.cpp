@@ -14,4 +14,18 @@ Color3f Environment::Source::radiance(const Vec3f& d) const {
 
 Color3f Environment::radiance(const Vec3f& d) const { return m_source->radiance(d); }
 
+const CubePyramid& Environment::pyramid() const {
+    Filtered& filtered = *m_filtered;
+    std::call_once(filtered.pyramid_made, [&] { filtered.pyramid = CubePyramid(filtered.faces, filtered.kernel); });
+    return filtered.pyramid;
+}
+
+const GaussianStack& Environment::gaussian_stack() const {
+    Filtered& filtered = *m_filtered;
+    std::call_once(filtered.stack_made, [&] { filtered.stack = GaussianStack(filtered.faces); });
+    return filtered.stack;
+}
+
+int Environment::face_size() const { return m_filtered->faces[0].width; }
+
 }  // namespace burnish

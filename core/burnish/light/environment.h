@@ -10,6 +10,8 @@
 
 namespace burnish {
 
+class GaussianStack;
+
 /// How the picture is laid over directions. `blender`: lat-long, +X in the middle, Z up. `openexr`: lat-long, +Z in the
 /// middle, Y up (USD, Mitsuba). With the other up axis each keeps its look: see environment_orientation.h. For cubes the
 /// convention says whose axes the faces are named after: `blender` a Z-up world's, `openexr` a Y-up world's.
@@ -46,7 +48,10 @@ public:
     Vec3f sample(const Vec2f& u, float& pdf) const;
     float pdf(const Vec3f& d) const;
 
-    const CubePyramid& pyramid() const { return m_pyramid; }
+    /// The picture filtered, on cube faces of `face_size` texels: each made when first asked for, by any thread.
+    const CubePyramid& pyramid() const;
+    const GaussianStack& gaussian_stack() const;
+    int face_size() const;
     /// World direction -> light axes, as row vector times matrix: convention, up axis, rotation and flip in one (a flip makes
     /// its determinant negative).
     const Matrix33f& world_to_light() const { return m_world_to_light; }
@@ -59,10 +64,11 @@ public:
     const std::vector<std::string>& warnings() const { return m_warnings; }
 
 private:
-    struct Source;   // the picture as given and its sampling tables
-    struct Builder;  // fills the members below
+    struct Source;    // the picture as given and its sampling tables
+    struct Filtered;  // its cube faces and what was made from them
+    struct Builder;   // fills the members below
     std::shared_ptr<const Source> m_source;
-    CubePyramid m_pyramid;
+    std::shared_ptr<Filtered> m_filtered;
     Matrix33f m_world_to_light;
     Color3f m_gain{1, 1, 1};
     int m_suggested_face_size = 0;

@@ -181,7 +181,7 @@ struct Environment::Builder {
         Environment light;
         light.m_suggested_face_size = own_face_size(given);
         const int face = settings.face_size > 0 ? settings.face_size : light.m_suggested_face_size;
-        light.m_pyramid = CubePyramid(pyramid_faces(given, face), settings.kernel);
+        light.m_filtered = std::make_shared<Filtered>(pyramid_faces(given, face), settings.kernel);
         light.m_world_to_light =
             world_to_light_matrix(convention, up, settings.rotate_deg, settings.flip, given.faces.has_value());
         light.m_gain = settings.tint * settings.scale;

@@ -1,9 +1,13 @@
-// The picture of light as given, lat-long or cube, with its sampling table: what the unfiltered lookups read.
+// Behind an Environment: the picture of light as given, lat-long or cube, with its sampling table, which the unfiltered
+// lookups read, and the cube faces that the filtered ones are made from.
 #pragma once
 
 #include <burnish/light/cube_level.h>
 #include <burnish/light/environment.h>
+#include <burnish/light/gaussian_stack.h>
 #include <burnish/light/sample_table.h>
+
+#include <mutex>
 
 namespace burnish {
 
@@ -21,6 +25,17 @@ struct Environment::Source {
 
     Vec3f sample(const Vec2f& u, float& pdf) const;
     float pdf(const Vec3f& d) const;
+};
+
+struct Environment::Filtered {
+    Filtered(std::array<Image, 6> cube_faces, PyramidKernel pyramid_kernel)
+        : faces(std::move(cube_faces)), kernel(pyramid_kernel) {}
+
+    const std::array<Image, 6> faces;
+    const PyramidKernel kernel;
+    std::once_flag pyramid_made, stack_made;
+    CubePyramid pyramid;
+    GaussianStack stack;
 };
 
 }  // namespace burnish

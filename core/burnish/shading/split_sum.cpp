@@ -53,7 +53,8 @@ void filter(const std::vector<RoundGaussian>& lobe, const GaussianStack& light, 
             Color3f sum(0);
             for (const RoundGaussian& gaussian : lobe)
                 sum += light.stack().lookup(d, light.level(gaussian.sigma)) * gaussian.share;
-            std::copy_n(&sum.x, 3, level.at(row / size, x, row % size));
+            float* texel = level.at(row / size, x, row % size);
+            std::copy_n(&sum.x, 3, texel), texel[3] = 0;
         }
     });
     level.fill_borders();

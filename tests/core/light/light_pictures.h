@@ -55,12 +55,13 @@ inline double texel_solid_angle(int x, int y, int size) {
 }
 
 /// Sum of green radiance x solid angle over one level.
-inline double level_energy(const CubePyramid& pyramid, int level) {
-    const int n = pyramid.face_size() >> level;
+inline double level_energy(const CubeStack& stack, int level) {
+    const CubeLevel& texels = stack[level];
+    const int n = texels.size();
     double sum = 0;
     for (int face = 0; face < 6; ++face) {
         for (int y = 0; y < n; ++y) {
-            for (int x = 0; x < n; ++x) sum += texel_solid_angle(x, y, n) * pyramid.texel(level, face, x, y).y;
+            for (int x = 0; x < n; ++x) sum += texel_solid_angle(x, y, n) * texels.at(face, x, y)[1];
         }
     }
     return sum;

@@ -92,7 +92,8 @@ TEST(CubePyramid, KeepsEnergyAtEveryLevel) {
     for (const PyramidKernel kernel : kKernels) {
         const CubePyramid pyramid(painted_faces(128, noise), kernel);
         for (int level = 1; level < pyramid.level_count(); ++level) {
-            EXPECT_NEAR(level_energy(pyramid, level) / level_energy(pyramid, 0), 1.0, 1e-6) << "level " << level;
+            EXPECT_NEAR(level_energy(pyramid.stack(), level) / level_energy(pyramid.stack(), 0), 1.0, 1e-6)
+                << "level " << level;
         }
     }
 }
@@ -106,7 +107,8 @@ TEST(CubePyramid, KeepsTheEnergyOfASingleTexelWhereverItIs) {
         for (int k = 0; k < 3; ++k) {
             const CubePyramid pyramid(faces, kKernels[k]);
             for (int level = 1; level < pyramid.level_count(); ++level) {
-                worst[k] = std::max(worst[k], std::fabs(level_energy(pyramid, level) / level_energy(pyramid, 0) - 1.0));
+                worst[k] = std::max(worst[k],
+                                    std::fabs(level_energy(pyramid.stack(), level) / level_energy(pyramid.stack(), 0) - 1.0));
             }
         }
     }

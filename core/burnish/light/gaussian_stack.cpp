@@ -1,0 +1,95 @@
+#include <burnish/light/gaussian_stack.h>
+
+#include <burnish/base/error.h>
+#include <burnish/light/gaussian_blur.h>
+
+#include <string>
+
+namespace burnish {
+namespace {
+
+constexpr double kTexelPerSigma = 0.75;  // at a face's centre
+constexpr double kWidestSigma = 0.99;    // the last level is the first beyond this
+constexpr double kSumSigma = 0.35;       // from here on, a Gaussian of a Gaussian is no Gaussian: sums over a much finer level
+constexpr double kTooWideSigma = 1.5;
+constexpr int kSumLevelsBack = 3;
+constexpr int kSmallestSize = 16;
+
+void check_faces(const std::array<Image, 6>& faces) {
+    const int size = faces[0].width;
+    for (const Image& face : faces) {
+        if (size > 0 && face.width == size && face.height == size && face.channels >= 3) continue;
+        throw Error(ErrorCode::bad_argument, "cube map: expected six square RGB faces of one size, found one of " +
+                                                 std::to_string(face.width) + " x " + std::to_string(face.height) + " x " +
+                                                 std::to_string(face.channels) + ". Resample the faces first.");
+    }
+}
+
+double texel_width(int size) { return 2.0 / size; }
+
+/// A level to be made.
+struct Planned {
+    int size;
+    double sigma, versine;  // of its lookups
+};
+
+/// Level 0 is the map: texel areas and the tent, over the whole sphere.
+Planned planned_map(int size) {
+    const double versine = 0.25 * texel_width(size) * texel_width(size) * kMeanTexelMetric;
+    return {size, sigma_of_versine(versine), versine};
+}
+
+std::vector<Planned> planned_levels(int map_size) {
+    std::vector<Planned> levels = {planned_map(map_size)};
+    double sigma = texel_width(map_size);
+    while (levels.back().sigma < kWidestSigma && sigma < kTooWideSigma) {
+        const int fitting = levels.size() == 1 ? map_size : 2 * static_cast<int>(std::ceil(1.0 / (kTexelPerSigma * sigma)));
+        levels.push_back({std::max(kSmallestSize, fitting), sigma, versine_of_sigma(sigma)});
+        sigma *= std::numbers::sqrt2;
+    }
+    return levels;
+}
+
+void make_level(const std::vector<Planned>& levels, int k, CubeStack& stack) {
+    const double target = levels[k].versine;
+    if (k > 2 && levels[k].sigma < kSumSigma) return blur_by_taps(stack[k - 1], {target, levels[k - 1].versine, 0.0}, stack[k]);
+    const int from = k == 2 ? 1 : std::max(0, k - kSumLevelsBack);
+    const double width2 = texel_width(levels[from].size) * texel_width(levels[from].size);
+    if (from == 0) return blur_by_sum(stack[0], {target, 0.0, width2 / 12.0}, stack[k]);
+    const double tent = width2 / 6.0 * kMeanTexelMetric;  // part of lookups, not of texel values
+    blur_by_sum(stack[from], {target, 1.0 - (1.0 - levels[from].versine) / (1.0 - tent), 0.0}, stack[k]);
+}
+
+}  // namespace
+
+GaussianStack::GaussianStack(const std::array<Image, 6>& faces) {
+    check_faces(faces);
+    const std::vector<Planned> levels = planned_levels(faces[0].width);
+    std::vector<int> sizes;
+    for (const Planned& level : levels) {
+        sizes.push_back(level.size);
+        m_versines.push_back(static_cast<float>(level.versine));
+    }
+    m_stack = CubeStack(sizes);
+    m_stack[0].fill(faces);
+    for (int k = 1; k < m_stack.level_count(); ++k) make_level(levels, k, m_stack);
+    m_first_sigma = static_cast<float>(texel_width(faces[0].width));
+}
+
+float GaussianStack::level(float sigma) const {
+    const int last = m_stack.level_count() - 1;
+    if (!(sigma > 0.0f) || last < 1) return 0.0f;
+    const float octaves = std::clamp(2.0f * std::log2(sigma / m_first_sigma), -1.0f, static_cast<float>(last - 2));
+    const int k = 1 + static_cast<int>(std::floor(octaves));
+    const float versine = static_cast<float>(versine_of_sigma(std::min(sigma, 10.0f)));
+    const float blend = (versine - m_versines[k]) / (m_versines[k + 1] - m_versines[k]);
+    return static_cast<float>(k) + std::clamp(blend, 0.0f, 1.0f);
+}
+
+float GaussianStack::sigma(float level) const {
+    const int last = m_stack.level_count() - 1, k = std::clamp(static_cast<int>(level), 0, std::max(0, last - 1));
+    const float blend = std::clamp(level - static_cast<float>(k), 0.0f, 1.0f), next = m_versines[std::min(k + 1, last)];
+    return static_cast<float>(sigma_of_versine(m_versines[k] + blend * (next - m_versines[k])));
+}
+
+}  // namespace burnish
