@@ -12,6 +12,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
+using Plane = Eigen::Map<const Eigen::ArrayXf>;
+
+Plane plane(const std::vector<float>& values) { return {values.data(), static_cast<Index>(values.size())}; }
 
 constexpr float kEnergy = 30;     // how much a wrong sum of weights costs, against the squared residual
 constexpr float kRidge = 3e-4f;   // keeps weights small where Gaussians nearly coincide
@@ -21,9 +24,16 @@ constexpr float kWidest = 1.0f;   // rad
 class Fit {
 public:
     Fit(const LobeQuadrature& lobe, const Vec3f& wo, bool in_plane)
-        : m_lobe(lobe), m_wo(wo), m_unknowns(in_plane ? 2 : 3), m_albedo(luminance(lobe.albedo)) {
-        m_luminance = (0.2126f * lobe.value.col(0) + 0.7152f * lobe.value.col(1) + 0.0722f * lobe.value.col(2));
-        m_power = (m_luminance * lobe.root_area).square().sum();
+        : m_lobe(lobe),
+          m_wo(wo),
+          m_unknowns(in_plane ? 2 : 3),
+          m_x(plane(lobe.x)),
+          m_y(plane(lobe.y)),
+          m_z(plane(lobe.z)),
+          m_root_area(plane(lobe.root_area)),
+          m_albedo(luminance(lobe.albedo)) {
+        m_luminance = 0.2126f * plane(lobe.value[0]) + 0.7152f * plane(lobe.value[1]) + 0.0722f * plane(lobe.value[2]);
+        m_power = (m_luminance * m_root_area).square().sum();
     }
 
     float run(int steps, std::vector<GaussianTap>& taps);
@@ -35,7 +45,7 @@ private:
         float cost;
     };
 
-    Index points() const { return m_lobe.x.size(); }
+    Index points() const { return m_x.size(); }
     State evaluate(const std::vector<GaussianTap>& taps) const;
     VectorXf target(const Eigen::ArrayXf& value, float albedo, Index taps) const;
     MatrixXf jacobian(const std::vector<GaussianTap>& taps, const State& state) const;
@@ -45,6 +55,7 @@ private:
     const LobeQuadrature& m_lobe;
     Vec3f m_wo;
     int m_unknowns;  // per tap
+    Plane m_x, m_y, m_z, m_root_area;
     Eigen::ArrayXf m_luminance;
     float m_albedo, m_power;
 };
@@ -61,9 +72,9 @@ Fit::State Fit::evaluate(const std::vector<GaussianTap>& taps) const {
     for (Index i = 0; i < n; ++i) {
         const GaussianTap& tap = taps[static_cast<size_t>(i)];
         const Vec3f d = tap_direction(m_wo, tap.sx, tap.sy);
-        const float k = 1 / (std::exp(2 * tap.log_sigma) + m_lobe.blur * m_lobe.blur), norm = k / (2 * kPi * (1 - std::exp(-2 * k)));
-        state.basis.col(i).head(rows) =
-            (k * (m_lobe.x * d.x + m_lobe.y * d.y + m_lobe.z * d.z - 1)).exp() * m_lobe.root_area * norm;
+        const float k = 1 / (std::exp(2 * tap.log_sigma) + m_lobe.blur * m_lobe.blur),
+                    norm = k / (2 * kPi * (1 - std::exp(-2 * k)));
+        state.basis.col(i).head(rows) = (k * (m_x * d.x + m_y * d.y + m_z * d.z - 1)).exp() * m_root_area * norm;
     }
     const float unit = std::sqrt(m_power) / m_albedo;
     state.basis.row(rows).setConstant(std::sqrt(kEnergy) * unit);
@@ -77,7 +88,7 @@ Fit::State Fit::evaluate(const std::vector<GaussianTap>& taps) const {
 
 VectorXf Fit::target(const Eigen::ArrayXf& value, float albedo, Index taps) const {
     VectorXf wanted = VectorXf::Zero(points() + 1 + taps);
-    wanted.head(points()) = (value * m_lobe.root_area).matrix();
+    wanted.head(points()) = (value * m_root_area).matrix();
     wanted[points()] = std::sqrt(kEnergy * m_power) * albedo / m_albedo;
     return wanted;
 }
@@ -92,7 +103,7 @@ MatrixXf Fit::jacobian(const std::vector<GaussianTap>& taps, const State& state)
         const DirectionSlopes slopes = direction_slopes(m_wo, tap.sx, tap.sy);
         const float variance = std::exp(2 * tap.log_sigma), k = 1 / (variance + m_lobe.blur * m_lobe.blur);
         const Eigen::ArrayXf gaussian = state.basis.col(i).head(rows).array() * state.weights[i];
-        const auto along = [&](const Vec3f& v) { return m_lobe.x * v.x + m_lobe.y * v.y + m_lobe.z * v.z; };
+        const auto along = [&](const Vec3f& v) { return m_x * v.x + m_y * v.y + m_z * v.z; };
         change.col(i).head(rows) = gaussian * k * along(slopes.x);
         change.col(n + i).head(rows) = gaussian * (-2 * k * (along(d) - 1) - 2) * (k * variance);
         if (m_unknowns == 3) change.col(2 * n + i).head(rows) = gaussian * k * along(slopes.y);
@@ -122,7 +133,8 @@ std::vector<GaussianTap> Fit::moved(const std::vector<GaussianTap>& taps, const 
 void Fit::set_weights(const State& state, std::vector<GaussianTap>& taps) const {
     const auto n = static_cast<Index>(taps.size());
     for (int channel = 0; channel < 3; ++channel) {
-        const VectorXf weights = solve(state.basis, target(m_lobe.value.col(channel), m_lobe.albedo[channel], n));
+        const VectorXf weights =
+            solve(state.basis, target(plane(m_lobe.value[static_cast<size_t>(channel)]), m_lobe.albedo[channel], n));
         for (Index i = 0; i < n; ++i) taps[static_cast<size_t>(i)].weight[channel] = weights[i];
     }
 }

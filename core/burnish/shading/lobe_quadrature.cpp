@@ -1,9 +1,8 @@
 #include <burnish/shading/lobe_quadrature.h>
 
 #include <burnish/material/lobe.h>
-#include <cstdlib>
 
-#include <vector>
+#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -35,15 +34,11 @@ std::vector<GridPoint> polar_grid(float border, bool half) {
     return grid;
 }
 
-LobeQuadrature plain_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
+LobeQuadrature sharp_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
     return visit_lobe(parameters, [&](const auto& lobe) {
-        const std::vector<GridPoint> grid = polar_grid(lobe.border(kShareBeyond), half);
-        const auto count = static_cast<Eigen::Index>(grid.size());
-        LobeQuadrature q;
-        q.x.resize(count), q.y.resize(count), q.z.resize(count), q.root_area.resize(count), q.value.resize(count, 3);
-        Eigen::Index used = 0;
+        LobeQuadrature q{};
         Imath::V3d albedo(0);
-        for (const GridPoint& point : grid) {
+        for (const GridPoint& point : polar_grid(lobe.border(kShareBeyond), half)) {
             const float sx = point.u * parameters.mx, sy = point.v * parameters.my;
             const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
             const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
@@ -52,18 +47,21 @@ LobeQuadrature plain_quadrature(const LobeParameters& parameters, const Vec3f& w
             const Vec3f wi = reflect(wo, h);
             const float area = 4 * wo_h * point.area * parameters.mx * parameters.my * cos_h * cos_h * cos_h;
             const Color3f value = wi.z > 0 ? lobe.eval(wo, lobe.mirrored(wi)) * wi.z : Color3f(0);
-            q.x[used] = wi.x, q.y[used] = wi.y, q.z[used] = wi.z, q.root_area[used] = std::sqrt(area);
-            for (int k = 0; k < 3; ++k) q.value(used, k) = value[k];
+            q.x.push_back(wi.x), q.y.push_back(wi.y), q.z.push_back(wi.z), q.root_area.push_back(std::sqrt(area));
+            for (int k = 0; k < 3; ++k) q.value[static_cast<size_t>(k)].push_back(value[k]);
             albedo += Imath::V3d(value) * area;
-            ++used;
         }
-        q.x.conservativeResize(used), q.y.conservativeResize(used), q.z.conservativeResize(used);
-        q.root_area.conservativeResize(used), q.value.conservativeResize(used, 3);
         q.albedo = Color3f(Vec3f(albedo));
         q.farthest = kFarthest * std::max(parameters.mx, parameters.my);
         q.finest = kFinest * std::min(parameters.mx, parameters.my) * std::max(wo.z, kGrazing);
         return q;
     });
+}
+
+/// A degree, more for wide lobes, and less for lobes that are not much wider themselves.
+float blur_for(const LobeParameters& lobe) {
+    const float width = std::sqrt(2.0f) * std::max(lobe.mx, lobe.my);
+    return std::min(0.01f + 0.035f * width, 0.35f * width);
 }
 
 /// What a blur of the light by `blur` rad widens the slopes by, as the widths' squares: 2 blur^2 (J^T J)^-1, J = d wi / d slopes.
@@ -86,17 +84,17 @@ DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy) {
 }
 
 LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
-    static const float kB = getenv("BLUR") ? atof(getenv("BLUR")) : 0.0f;
-    static const float kR = getenv("BLURR") ? atof(getenv("BLURR")) : 0.5f;
-    const float blur = std::min(kB, kR * std::sqrt(2.0f) * std::max(parameters.mx, parameters.my));
-    if (blur <= 0) return plain_quadrature(parameters, wo, half);
+    const LobeQuadrature sharp = sharp_quadrature(parameters, wo, half);
+    const float blur = blur_for(parameters);
     const Vec2f wider = widening(wo, blur);
     LobeParameters blurred = parameters;
     blurred.mx = std::sqrt(parameters.mx * parameters.mx + wider.x);
     blurred.my = std::sqrt(parameters.my * parameters.my + wider.y);
-    const LobeQuadrature sharp = plain_quadrature(parameters, wo, half);
-    LobeQuadrature q = plain_quadrature(blurred, wo, half);
-    for (int k = 0; k < 3; ++k) q.value.col(k) *= sharp.albedo[k] / q.albedo[k];
+    LobeQuadrature q = sharp_quadrature(blurred, wo, half);
+    for (int k = 0; k < 3; ++k) {
+        if (!(q.albedo[k] > 0)) continue;
+        for (float& value : q.value[static_cast<size_t>(k)]) value *= sharp.albedo[k] / q.albedo[k];
+    }
     q.albedo = sharp.albedo, q.farthest = sharp.farthest, q.finest = sharp.finest, q.blur = blur;
     return q;
 }
