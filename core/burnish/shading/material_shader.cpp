@@ -2,6 +2,7 @@
 
 #include <burnish/material/lobe.h>
 #include <burnish/shading/albedo_ratio.h>
+#include <burnish/shading/disc_light.h>
 #include <burnish/shading/filtered_importance.h>
 #include <burnish/shading/pattern_bank.h>
 #include <burnish/shading/reference.h>
@@ -42,8 +43,9 @@ struct MaterialShader::LobeShader {
                 const Vec3f d = point.frame.to_world(wi);
                 return pyramid.lookup(d, pyramid.level(d, omega) + settings.level_bias);
             };
-            const Color3f estimate = few_samples(prototype.with_widths(point.mx, point.my), point, look);
-            out.overlay[i] += estimate * point.scale * (light.gain() * ratio.at(point));
+            const auto own = prototype.with_widths(point.mx, point.my);
+            const Color3f map = few_samples(own, point, look) * ratio.at(point), suns = disc_light(own, light.discs(), point);
+            out.overlay[i] += (map + suns) * point.scale * light.gain();
             out.samples[i] += static_cast<float>(lookups_at(point));
         }
     }
