@@ -13,11 +13,16 @@
 
 namespace burnish {
 
-/// Light of constant radiance from a small circle of directions.
+/// Light of constant radiance from a small ellipse of directions; light axes.
 struct BrightDisc {
-    Vec3f direction;  // unit, light axes
-    float radius;     // radians: of the disc with the same second moment, the picture's bilinear interpolation included
-    Color3f flux;     // excess radiance integrated over solid angle
+    Vec3f direction;      // unit, to the centre
+    Vec3f along, across;  // half axes, the longer one first, in radians, perpendicular to `direction`: of the ellipse with the
+                          // light's own second moments, the picture's bilinear interpolation included
+    Color3f flux;         // excess radiance integrated over solid angle
+
+    float longest_radius() const { return std::sqrt(along.length2()); }
+    /// Of the circle of the same area.
+    float radius() const { return std::sqrt(std::sqrt(along.length2() * across.length2())); }
 };
 
 /// The discs taken out of a picture, largest flux first, and what is needed to make the picture whole again.

@@ -55,16 +55,46 @@ inline constexpr float kFewTapsReach = 0.5f;      // and up to here seven taps' 
 inline constexpr float kPointDistance = 16.0f;    // distance from the peak over disc radius, from where the centre will do
 inline constexpr float kWidthAtManyTaps = 0.19f;  // of the disc's radius: as narrow as 37 taps can resolve
 
-/// f cos at wi for the part of a disc of `radius` above the horizons; smooth where it sets.
+/// A disc in a point's local frame, its axes scaled.
+struct LocalDisc {
+    Vec3f wi, along, across;
+
+    LocalDisc(const BrightDisc& disc, const Vec3f& local_wi, const Frame& frame)
+        : wi(local_wi), along(frame.to_local(disc.along)), across(frame.to_local(disc.across)) {}
+
+    /// Height of the disc's rim over its centre, seen along unit vector n.
+    float extent(const Vec3f& n) const {
+        const float a = along.dot(n), b = across.dot(n);
+        return std::max(std::sqrt(a * a + b * b), 1e-7f);
+    }
+    /// A part of it, `scale` as large, about place (x, y) of the unit disc.
+    LocalDisc part(const Vec2f& place, float scale) const {
+        LocalDisc other = *this;
+        const Vec3f d = wi + along * place.x + across * place.y;
+        other.wi = d / std::sqrt(d.length2()), other.along *= scale, other.across *= scale;
+        return other;
+    }
+};
+
+/// f cos at the centre for the part of a disc above the horizons; smooth where it sets.
 template <class LobeType>
-Color3f disc_value(const LobeType& lobe, const ShadingPoint& point, Vec3f wi, float radius) {
-    const float side = lobe.side_sign, x = wi.z * side / radius, ng_x = point.ng.dot(wi) * side / radius;
+Color3f disc_value(const LobeType& lobe, const ShadingPoint& point, const LocalDisc& disc) {
+    const float cos_i = disc.wi.z * lobe.side_sign, extent = disc.extent({0, 0, 1}), x = cos_i / extent,
+                ng_x = point.ng.dot(disc.wi) * lobe.side_sign / disc.extent(point.ng);
     if (x <= -1 || ng_x <= -1) return Color3f(0, 0, 0);
-    if (x >= 1 && ng_x >= 1) return lobe.eval(point.wo, wi) * (wi.z * side);
+    if (x >= 1 && ng_x >= 1) return lobe.eval(point.wo, disc.wi) * cos_i;
     const DiscAbove above(x), above_ng(ng_x);
-    const float cosine = std::min(wi.z * side + above.lift * radius, 1.0f);
-    const Vec3f seen(wi.x, wi.y, cosine * side);
+    const float cosine = std::min(cos_i + above.lift * extent, 1.0f);
+    const Vec3f seen(disc.wi.x, disc.wi.y, cosine * lobe.side_sign);
     return lobe.eval(point.wo, seen / std::sqrt(seen.length2())) * (cosine * std::min(above.share, above_ng.share));
+}
+
+template <class LobeType>
+Color3f mean_of_taps(const LobeType& lobe, const ShadingPoint& point, const LocalDisc& disc, std::span<const Vec2f> taps) {
+    const float count = static_cast<float>(taps.size()), scale = 1 / std::sqrt(count);
+    Color3f sum(0, 0, 0);
+    for (const Vec2f& tap : taps) sum += disc_value(lobe, point, disc.part(tap, scale));
+    return sum / count;
 }
 
 /// Slopes of the half vector of wo and the mirrored wi.
@@ -73,29 +103,18 @@ inline Vec2f half_slopes(const Vec3f& wo, const Vec3f& wi) {
     return Vec2f(sum.x, sum.y) / std::max(sum.z, kMinCosine);
 }
 
-/// Mean over a disc about wi that is not small against the lobe.
+/// Mean over a disc that is not small against the lobe.
 template <class LobeType>
-Color3f disc_mean(const LobeType& lobe, const ShadingPoint& point, const Vec3f& wi, float radius) {
-    const Frame around = Frame::around(wi);
-    const Vec2f centre = half_slopes(point.wo, lobe.mirrored(wi));
-    const Vec2f along = half_slopes(point.wo, lobe.mirrored(wi + around.t * radius)) - centre,
-                across = half_slopes(point.wo, lobe.mirrored(wi + around.b * radius)) - centre;
+Color3f disc_mean(const LobeType& lobe, const ShadingPoint& point, const LocalDisc& disc) {
+    const Vec2f centre = half_slopes(point.wo, lobe.mirrored(disc.wi));
+    const Vec2f along = half_slopes(point.wo, lobe.mirrored(disc.wi + disc.along)) - centre,
+                across = half_slopes(point.wo, lobe.mirrored(disc.wi + disc.across)) - centre;
     const Vec2f reach(std::sqrt(along.x * along.x + across.x * across.x), std::sqrt(along.y * along.y + across.y * across.y));
     const float widths = std::max(reach.x / point.mx, reach.y / point.my);
-    if (widths < kPointReach) return disc_value(lobe, point, wi, radius);
-    const auto mean = [&](const LobeType& own, std::span<const Vec2f> taps) {
-        const float count = static_cast<float>(taps.size()), part = radius / std::sqrt(count);
-        Color3f sum(0, 0, 0);
-        for (const Vec2f& tap : taps) {
-            const Vec3f d = wi + (around.t * tap.x + around.b * tap.y) * radius;
-            sum += disc_value(own, point, d / std::sqrt(d.length2()), part);
-        }
-        return sum / count;
-    };
-    if (widths < kFewTapsReach) return mean(lobe, kFewDiscTaps);
-    return mean(
-        lobe.with_widths(std::max(point.mx, kWidthAtManyTaps * reach.x), std::max(point.my, kWidthAtManyTaps * reach.y)),
-        kManyDiscTaps);
+    if (widths < kPointReach) return disc_value(lobe, point, disc);
+    if (widths < kFewTapsReach) return mean_of_taps(lobe, point, disc, kFewDiscTaps);
+    const float mx = std::max(point.mx, kWidthAtManyTaps * reach.x), my = std::max(point.my, kWidthAtManyTaps * reach.y);
+    return mean_of_taps(lobe.with_widths(mx, my), point, disc, kManyDiscTaps);
 }
 
 /// Reflected radiance of the discs, without point.scale; `lobe` has the point's widths.
@@ -104,13 +123,20 @@ Color3f disc_light(const LobeType& lobe, std::span<const BrightDisc> discs, cons
     Color3f sum(0, 0, 0);
     for (const BrightDisc& disc : discs) {
         const Vec3f wi = point.frame.to_local(disc.direction), half = point.wo + lobe.mirrored(wi);  // half: any length
-        if (wi.z * lobe.side_sign <= -disc.radius || half.z <= 0) continue;
+        const float radius = disc.longest_radius();
+        if (wi.z * lobe.side_sign <= -radius || half.z <= 0) continue;
         // In slopes times z^2: the half vector's place, the lobe's border, and the disc's radius r |half| / z^2, |half| <= 2.
         const float z2 = half.z * half.z, x = std::fabs(half.x) * half.z, y = std::fabs(half.y) * half.z;
-        const float border = lobe.border(kNothing) * z2, reach = 2 * disc.radius;
+        const float border = lobe.border(kNothing) * z2, reach = 2 * radius;
         if (x > border * point.mx + reach || y > border * point.my + reach) continue;
         const bool small = reach < kPointReach * z2 * std::min(point.mx, point.my) || std::max(x, y) > kPointDistance * reach;
-        sum += disc.flux * (small ? disc_value(lobe, point, wi, disc.radius) : disc_mean(lobe, point, wi, disc.radius));
+        const float cos_i = wi.z * lobe.side_sign;
+        if (small && cos_i > radius && point.ng.dot(wi) * lobe.side_sign > radius) {
+            sum += disc.flux * lobe.eval(point.wo, wi) * cos_i;
+            continue;
+        }
+        const LocalDisc local(disc, wi, point.frame);
+        sum += disc.flux * (small ? disc_value(lobe, point, local) : disc_mean(lobe, point, local));
     }
     return sum;
 }
