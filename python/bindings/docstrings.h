@@ -50,7 +50,7 @@ Raises
 SizeMismatch
     The shape is another one.)";
 
-inline constexpr const char* Environment_lookup = R"(Radiance filtered to a level of the pyramid, trilinear.
+inline constexpr const char* Environment_lookup = R"(Radiance filtered to a level of the pyramid, trilinear; without suns unless env_suns is "keep".
 
 Parameters
 ----------
