@@ -50,14 +50,14 @@ Raises
 SizeMismatch
     The shape is another one.)";
 
-inline constexpr const char* Environment_lookup = R"(Radiance filtered to a level of the pyramid, trilinear; without suns unless env_suns is "keep".
+inline constexpr const char* Environment_lookup = R"(Radiance filtered to a level of the pyramid, trilinear.
 
 Parameters
 ----------
 d : ndarray, shape (n, 3)
     Unit directions in light axes.
 level : float or ndarray, shape (n,)
-    0 is the finest level.
+    0 is the finest level. Suns are in the pyramid with env_suns="keep" only.
 
 Returns
 -------

@@ -92,7 +92,7 @@ TEST(Suns, ApartHelpUnderRealSkies) {
         const auto file = data_path("public/env/" + std::string(c.name) + ".hdr");
         if (!file) GTEST_SKIP() << "REAL DATA MISSING: public/env, see BURNISH_DATA";
         const Environment kept = Environment::load(file->string(), keeping()), taken = Environment::load(file->string(), {});
-        const Ball ball(48);
+        const Ball ball(24);
         for (const ModelId model : {ModelId::beckmann, ModelId::ggx})
             for (const float m : {0.05f, 0.1f, 0.3f}) {
                 const KeptAndTaken e = errors(ball, round_lobe(model, m), kept, taken);
