@@ -35,6 +35,7 @@ void print_text(const Environment& light) {
 
 int envmap(const Options& options) {
     Job job;
+    if (!options.output.empty()) job.light.suns = Suns::keep;  // unless the settings say otherwise
     set_settings(job, options.values, "");
     const auto light = load_light(job, ColorFlow(job), Renderer::unknown);
     if (!options.output.empty()) {

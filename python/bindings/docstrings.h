@@ -57,7 +57,7 @@ Parameters
 d : ndarray, shape (n, 3)
     Unit directions in light axes.
 level : float or ndarray, shape (n,)
-    0 is the finest level.
+    0 is the finest level. Suns are in the pyramid with env_suns="keep" only.
 
 Returns
 -------

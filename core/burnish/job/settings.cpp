@@ -52,6 +52,9 @@ void add_light(std::vector<Setting>& table) {
         {"env_kernel", "lights", "kernel"}, AT(light.kernel),
         {{"box2", PyramidKernel::box2}, {"binomial4", PyramidKernel::binomial4}, {"binomial6", PyramidKernel::binomial6}},
         "filter from each level of the light's pyramid to the next"));
+    table.push_back(choice<Suns>({"env_suns", "lights", "suns"}, AT(light.suns),
+                                 {{"auto", Suns::automatic}, {"keep", Suns::keep}},
+                                 "small, very bright discs: shaded apart from the map, which is exact; or kept in the map"));
     table.push_back(text({"env_space", "lights", "space"}, AT(color.environment), SettingKind::text, "NAME",
                          "colour space of the environment; empty: as beauty_space"));
 }

@@ -1,6 +1,7 @@
 // Distant light: an environment map, exact for the reference and as a pyramid for the filtered estimators.
 #pragma once
 
+#include <burnish/light/bright_discs.h>
 #include <burnish/light/cube_pyramid.h>
 
 #include <functional>
@@ -17,6 +18,8 @@ class GaussianStack;
 /// convention says whose axes the faces are named after: `blender` a Z-up world's, `openexr` a Y-up world's.
 enum class EnvironmentConvention { automatic, blender, openexr };
 enum class UpAxis { automatic, y, z };
+/// Small, very bright discs of the picture: `automatic` takes them out of the pyramid, see bright_discs.h; `keep` leaves them in.
+enum class Suns { automatic, keep };
 
 struct EnvironmentSettings {
     EnvironmentConvention convention =
@@ -28,6 +31,7 @@ struct EnvironmentSettings {
     Color3f tint{1, 1, 1};
     int face_size = 0;  // texels per cube face edge; 0 = from the file
     PyramidKernel kernel = PyramidKernel::binomial6;
+    Suns suns = Suns::automatic;
 };
 
 class Environment {
@@ -48,10 +52,12 @@ public:
     Vec3f sample(const Vec2f& u, float& pdf) const;
     float pdf(const Vec3f& d) const;
 
-    /// The picture filtered, on cube faces of `face_size` texels: each made when first asked for, by any thread.
+    /// The picture without its discs, filtered, on cube faces of `face_size` texels: each made when first asked for, by any
+    /// thread. Either one and the discs make the whole picture that `radiance` gives.
     const CubePyramid& pyramid() const;
     const GaussianStack& gaussian_stack() const;
     int face_size() const;
+    const std::vector<BrightDisc>& discs() const { return m_discs; }
     /// World direction -> light axes, as row vector times matrix: convention, up axis, rotation and flip in one (a flip makes
     /// its determinant negative).
     const Matrix33f& world_to_light() const { return m_world_to_light; }
@@ -69,6 +75,7 @@ private:
     struct Builder;   // fills the members below
     std::shared_ptr<const Source> m_source;
     std::shared_ptr<Filtered> m_filtered;
+    std::vector<BrightDisc> m_discs;
     Matrix33f m_world_to_light;
     Color3f m_gain{1, 1, 1};
     int m_suggested_face_size = 0;

@@ -168,6 +168,8 @@ std::array<Image, 6> pyramid_faces(const Given& given, int face_size) {
     return given.faces ? resized_cube(*given.faces, face_size) : latlong_to_cube(given.latlong, face_size);
 }
 
+DiscCut cut_suns(Given& given) { return DiscCut(given.faces ? PictureCells(*given.faces) : PictureCells(given.latlong)); }
+
 }  // namespace
 
 /// Puts an Environment together; nested, so that it may fill the private parts.
@@ -181,13 +183,17 @@ struct Environment::Builder {
         Environment light;
         light.m_suggested_face_size = own_face_size(given);
         const int face = settings.face_size > 0 ? settings.face_size : light.m_suggested_face_size;
+        DiscCut suns = settings.suns == Suns::automatic ? cut_suns(given) : DiscCut();
+        light.m_discs = suns.discs();
         light.m_filtered = std::make_shared<Filtered>(pyramid_faces(given, face), settings.kernel);
+        suns.put_back();
         light.m_world_to_light =
             world_to_light_matrix(convention, up, settings.rotate_deg, settings.flip, given.faces.has_value());
         light.m_gain = settings.tint * settings.scale;
         light.m_notes.push_back(name + ": " + given.description + ", " +
                                 (convention == EnvironmentConvention::blender ? "blender" : "openexr") + " convention, " +
                                 (up == UpAxis::z ? "Z" : "Y") + " up, filtered on a cube of " + size_text(face, face));
+        for (const std::string& sun : suns.notes()) light.m_notes.push_back(name + ": " + sun);
         light.m_warnings = std::move(given.warnings);
 
         auto source = std::make_shared<Source>();

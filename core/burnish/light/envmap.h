@@ -1,5 +1,5 @@
 // Environments as pictures again: conversion between layouts, levels of the pyramid to look at, and a short description.
-// What `burnish envmap` prints and writes.
+// What `burnish envmap` prints and writes. Everything here shows the pyramid: load with Suns::keep for the whole picture.
 #pragma once
 
 #include <burnish/light/environment.h>

@@ -1,6 +1,7 @@
 #include <burnish/shading/material_shader.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/shading/disc_light.h>
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/reference.h>
 #include <burnish/shading/split_sum.h>
@@ -73,6 +74,17 @@ struct MaterialShader::LobeShader {
         }
     }
 
+    /// Light of suns, which the filtered lookups do not hold.
+    template <class LobeType>
+    void add_discs(const LobeType& prototype, const SurfaceBatch& batch, ShadedBatch& out) const {
+        if (light.discs().empty()) return;
+        for (size_t i = 0; i < batch.size(); ++i) {
+            const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
+            const Color3f discs = disc_light(prototype.with_widths(point.mx, point.my), light.discs(), point);
+            out.overlay[i] += discs * point.scale * light.gain();
+        }
+    }
+
     template <class LobeType>
     void add_reference(const LobeType& prototype, const SurfaceBatch& batch, ShadedBatch& out, uint32_t lobe_index) const {
         for (size_t i = 0; i < batch.size(); ++i) {
@@ -111,10 +123,13 @@ void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
     out.standard_error.assign(reference ? batch.size() : 0, 0.0f);
     for (uint32_t index = 0; index < m_lobes.size(); ++index) {
         const LobeShader& shader = *m_lobes[index];
-        if (reference)
-            visit_lobe(shader.lobe, [&](const auto& lobe) { shader.add_reference(lobe, batch, out, index); });
-        else
-            shader.add_filtered(batch, out);
+        if (!reference) shader.add_filtered(batch, out);
+        visit_lobe(shader.lobe, [&](const auto& lobe) {
+            if (reference)
+                shader.add_reference(lobe, batch, out, index);
+            else
+                shader.add_discs(lobe, batch, out);
+        });
     }
 }
 
