@@ -1,9 +1,10 @@
 // Distant light: filtered lookups per second on one core beside OpenImageIO's texture system, and the time to make a cube
-// pyramid and to resample a lat-long.
+// pyramid or a Gaussian stack and to resample a lat-long.
 #include <burnish/base/parallel.h>
 #include <burnish/light/cube_pyramid.h>
 #include <burnish/light/cube_resample.h>
 #include <burnish/light/environment.h>
+#include <burnish/light/gaussian_stack.h>
 
 #include <benchmark/benchmark.h>
 
@@ -91,6 +92,14 @@ void build_pyramid(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(CubePyramid(faces, static_cast<PyramidKernel>(state.range(1))));
 }
 
+/// Arguments: face size, threads.
+void build_gaussian_stack(benchmark::State& state) {
+    const int size = static_cast<int>(state.range(0));
+    const ThreadLimit limit(static_cast<int>(state.range(1)));
+    const auto faces = latlong_to_cube(noise_latlong(4 * size), size);
+    for (auto _ : state) benchmark::DoNotOptimize(GaussianStack(faces));
+}
+
 /// Arguments: lat-long width, threads. The face size is the default one.
 void resample_latlong(benchmark::State& state) {
     const int width = static_cast<int>(state.range(0));
@@ -99,11 +108,11 @@ void resample_latlong(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(latlong_to_cube(image, cube_size_for_latlong(width)));
 }
 
-/// Arguments: lat-long width, threads. Everything from pixels to a light that can be looked up and sampled.
+/// Arguments: lat-long width, threads. Everything from pixels to a light that can be looked up in its pyramid and sampled.
 void whole_environment(benchmark::State& state) {
     const ThreadLimit limit(static_cast<int>(state.range(1)));
     const Image image = noise_latlong(static_cast<int>(state.range(0)));
-    for (auto _ : state) benchmark::DoNotOptimize(Environment::from_image(image, {}, "noise"));
+    for (auto _ : state) benchmark::DoNotOptimize(&Environment::from_image(image, {}, "noise").pyramid());
 }
 
 }  // namespace
@@ -114,6 +123,13 @@ BENCHMARK(build_pyramid)
     ->ArgNames({"size", "kernel", "threads"})
     ->ArgsProduct({{256, 512, 1024}, {0, 1, 2}, {2}})
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK(build_gaussian_stack)
+    ->ArgNames({"size", "threads"})
+    ->ArgsProduct({{256, 512, 1024}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK(resample_latlong)
     ->ArgNames({"width", "threads"})

@@ -32,9 +32,12 @@ public:
     void coarser(const CubeLevel& fine, CubeLevel& coarse);
 
 private:
+    /// A start for a from which the iteration has little left to do.
+    FaceField expected_factor() const;
     void balance();
 
     std::vector<double> m_taps;          // one row of the separable kernel, sums to 1
+    std::array<double, 4> m_drift;       // of expected_factor
     FaceField m_fine, m_coarse;          // solid angles of the level to be filtered and of the one to be made
     std::vector<float> m_fine_weight;    // b_i
     std::vector<float> m_coarse_weight;  // a_c / Omega_c

@@ -21,10 +21,10 @@ constexpr float kOuterWeight =
 constexpr Ring kRings[2] = {kInnerRing, {kOuterRadius, kOuterWeight, 0.75f}};
 constexpr int kTaps = 13;
 
-/// A bilinear lookup of one face as two runs of two texels, weights repeated for the four channels.
+/// A bilinear lookup of a face, whichever of the six.
 struct FaceTap {
-    size_t offset;  // floats from the face's first border texel to the upper run
-    float upper[8], lower[8];
+    size_t offset;     // floats from the face's first border texel to the upper left texel
+    float weights[4];  // of the texels, row by row
 };
 
 /// The stencil around one texel: directions as (forward, right, up) of its face.
@@ -79,23 +79,28 @@ std::array<FaceTap, kTaps> face_taps(const Stencil& stencil, int size) {
         const float scale = half / d.x, px = half + 0.5f + d.y * scale, py = half + 0.5f - d.z * scale;
         const int ix = static_cast<int>(px), iy = static_cast<int>(py);
         const float fx = px - static_cast<float>(ix), fy = py - static_cast<float>(iy), w = stencil.weights[i];
-        taps[i].offset = 4 * (static_cast<size_t>(iy) * (size + 2) + ix);
-        for (int k = 0; k < 8; ++k) {
-            const float column = k < 4 ? 1.0f - fx : fx;
-            taps[i].upper[k] = w * (1.0f - fy) * column;
-            taps[i].lower[k] = w * fy * column;
-        }
+        const float lower = w * fy, upper = w - lower;
+        taps[i] = {4 * (static_cast<size_t>(iy) * (size + 2) + ix),
+                   {upper - upper * fx, upper * fx, lower - lower * fx, lower * fx}};
     }
     return taps;
 }
 
-void add_on_face(const float* face, size_t row, const std::array<FaceTap, kTaps>& taps, float* out) {
-    float sum[8] = {0, 0, 0, 0, 0, 0, 0, 0};
+/// All faces at once: their sums are independent, which keeps the processor busy.
+void add_on_faces(const CubeLevel& source, const std::array<FaceTap, kTaps>& taps, CubeLevel& target, int x, int y) {
+    const size_t row = 4 * static_cast<size_t>(source.size() + 2), steps[4] = {0, 4, row, row + 4};
+    const float* faces[6];
+    for (int face = 0; face < 6; ++face) faces[face] = source.at(face, -1, -1);
+    float total[6][4] = {};
     for (const FaceTap& tap : taps) {
-        const float *upper = face + tap.offset, *lower = upper + row;
-        for (int k = 0; k < 8; ++k) sum[k] += tap.upper[k] * upper[k] + tap.lower[k] * lower[k];
+        for (int i = 0; i < 4; ++i) {
+            const size_t offset = tap.offset + steps[i];
+            for (int face = 0; face < 6; ++face) {
+                for (int k = 0; k < 4; ++k) total[face][k] += tap.weights[i] * faces[face][offset + k];
+            }
+        }
     }
-    for (int k = 0; k < 4; ++k) out[k] = sum[k] + sum[k + 4];
+    for (int face = 0; face < 6; ++face) std::copy_n(total[face], 4, target.at(face, x, y));
 }
 
 void add_anywhere(const CubeLevel& source, int face, const Stencil& stencil, float* out) {
@@ -109,14 +114,12 @@ void add_anywhere(const CubeLevel& source, int face, const Stencil& stencil, flo
 
 void blur_by_taps(const CubeLevel& source, const GaussianBlur& blur, CubeLevel& target) {
     const int n = target.size();
-    const size_t row = 4 * static_cast<size_t>(source.size() + 2);
     for_each_index(n, [&](int y) {
         for (int x = 0; x < n; ++x) {
             const Vec3f place = face_place(x, y, n);
             const Stencil stencil = stencil_around(place, blur.kernel_versine(1.0 / place.length2(), n));
             if (on_the_face(stencil)) {
-                const auto taps = face_taps(stencil, source.size());
-                for (int face = 0; face < 6; ++face) add_on_face(source.at(face, -1, -1), row, taps, target.at(face, x, y));
+                add_on_faces(source, face_taps(stencil, source.size()), target, x, y);
             } else {
                 for (int face = 0; face < 6; ++face) add_anywhere(source, face, stencil, target.at(face, x, y));
             }

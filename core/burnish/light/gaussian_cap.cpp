@@ -3,6 +3,7 @@
 #include <burnish/base/parallel.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace burnish {
@@ -72,27 +73,24 @@ TexelRange GaussianCap::columns(const Vec3f& d, int row) const {
     return texels((-b + root) / a, (-b - root) / a);
 }
 
-// 1 - cos comes from the cross product where the cap is small, since cos itself would be 1 in single precision.
+// Without branches, so that compilers vectorise it. 1 - cos comes from the cross product where the cap is small, since cos itself would be 1 in single precision.
 void GaussianCap::weigh(const Vec3f& d, int row, const TexelRange& range, std::span<const float> cosines,
                         float* weights) const {
-    const auto sharpness = static_cast<float>(1.0 / m_variance), reach = static_cast<float>(m_reach);
-    const auto step = 2.0f / static_cast<float>(m_size), up = static_cast<float>(-along(row)), x = d.y * up,
-               fore = d.x + d.z * up, y = d.z - d.x * up;
-    const float* s = &cosines[static_cast<size_t>(row) * m_size + range.first];
-    const int count = range.last - range.first + 1;
-    const float first = static_cast<float>(along(range.first));
-    if (m_small) {
-        for (int i = 0; i < count; ++i) {
-            const float right = first + static_cast<float>(i) * step, x2 = x - d.z * right, z = d.x * right - d.y;
-            const float sine2 = (x2 * x2 + y * y + z * z) * s[i] * s[i], versine = sine2 * (0.5f + 0.125f * sine2);
-            weights[i] = s[i] * s[i] * s[i] * exp_minus(std::min(versine, reach) * sharpness);
-        }
-    } else {
-        for (int i = 0; i < count; ++i) {
-            const float right = first + static_cast<float>(i) * step, versine = 1.0f - (fore + d.y * right) * s[i];
-            const float weight = s[i] * s[i] * s[i] * exp_minus(std::min(versine, reach) * sharpness);
-            weights[i] = versine <= reach ? weight : 0.0f;
-        }
+    const auto sharpness = static_cast<float>(1.0 / m_variance), reach = static_cast<float>(m_reach),
+               step = 2.0f / static_cast<float>(m_size), first = static_cast<float>(along(range.first)),
+               up = static_cast<float>(-along(row)), x = d.y * up, y = d.z - d.x * up, forward = d.x + d.z * up;
+    const float dx = d.x, dy = d.y, dz = d.z, *s = &cosines[static_cast<size_t>(row) * m_size + range.first];
+    const int count = range.last - range.first + 1, small_count = m_small ? count : 0, wide_count = count - small_count;
+    for (int i = 0; i < small_count; ++i) {
+        const float right = first + static_cast<float>(i) * step, x2 = x - dz * right, z = dx * right - dy;
+        const float sine2 = (x2 * x2 + y * y + z * z) * s[i] * s[i], versine = sine2 * (0.5f + 0.125f * sine2);
+        weights[i] = s[i] * s[i] * s[i] * exp_minus(versine * sharpness);
+    }
+    for (int i = 0; i < wide_count; ++i) {
+        const float right = first + static_cast<float>(i) * step, margin = reach - 1.0f + (forward + dy * right) * s[i];
+        const float inside = 0.5f * (margin + std::fabs(margin));
+        const int outside = std::bit_cast<int>(margin) >> 31;  // -1 or 0
+        weights[i] = static_cast<float>(1 + outside) * s[i] * s[i] * s[i] * exp_minus((reach - inside) * sharpness);
     }
 }
 
