@@ -15,7 +15,9 @@ namespace burnish {
 
 struct PatternSample {
     float u, v;  // normalised slopes
-    float area;  // of the (u, v) plane this sample stands for; the areas of a pattern tile the lobe up to its border
+    float
+        area;  // of the (u, v) plane the lookup is filtered over; the areas of a regular pattern tile the lobe up to its border
+    float weight = 1;  // area this sample stands for in the sum, relative to `area`
 };
 using LobePattern = std::vector<PatternSample>;
 
