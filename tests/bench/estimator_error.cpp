@@ -17,6 +17,7 @@ using namespace burnish;
 namespace {
 
 struct Sweep {
+    float tolerance = 0.002f;
     int size = 96, lights = 8, first_light = 1000, face_size = 512;
     std::vector<std::string> files;
     std::string model = "beckmann", kernel = "binomial6";
@@ -68,7 +69,7 @@ public:
         lobe.extra = {0.0f};
         m_material.lobes = {lobe};
         EstimatorSettings settings;
-        settings.kind = EstimatorKind::reference, settings.tolerance = 0.002f, settings.max_samples = 32768;
+        settings.kind = EstimatorKind::reference, settings.tolerance = m_sweep.tolerance, settings.max_samples = 32768;
         m_references.clear();
         for (const Environment& light : m_lights) m_references.push_back(shade(light, settings));
         for (const std::string& estimator : m_sweep.estimators) sweep_estimator(estimator, lobe);
@@ -124,6 +125,7 @@ int main(int argc, char** argv) {
     app.add_option("--lights", sweep.lights, "number of stress lights")->capture_default_str();
     app.add_option("--first-light", sweep.first_light, "seed of the first stress light")->capture_default_str();
     app.add_option("--lights-from", sweep.files, "environment files instead of stress lights")->delimiter(',');
+    app.add_option("--tolerance", sweep.tolerance, "of the reference")->capture_default_str();
     app.add_option("--face-size", sweep.face_size, "texels per cube face edge")->capture_default_str();
     app.add_option("--kernel", sweep.kernel, "box2, binomial4 or binomial6")->capture_default_str();
     app.add_option("--model", sweep.model, "kurt, beckmann or ggx")->capture_default_str();

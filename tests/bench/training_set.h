@@ -13,6 +13,7 @@ namespace burnish {
 struct TrainingPoint {
     ShadingPoint point;
     float truth, albedo;  // reflected radiance; reflected radiance under constant light
+    double importance;    // squared: the share of the picture the point stands for, relative to an equal choice
 };
 
 /// Points of one lobe under one light.
@@ -20,7 +21,8 @@ struct TrainingGroup {
     const Environment* light;
     LobeParameters lobe;
     std::vector<TrainingPoint> points;
-    double scale;  // of errors: makes their squares sum to the mean square error relative to that of the light's reflection
+    double scale;      // of errors: makes their squares sum to the mean square error relative to that of the light's reflection
+    size_t first = 0;  // of its errors among all
 };
 
 class TrainingSet {
@@ -31,8 +33,10 @@ public:
     size_t size() const { return m_points; }
     /// Relative errors of `pattern` at every point, as `regular` with the default level bias and an exact albedo correction makes them.
     std::vector<double> errors(const LobePattern& pattern) const;
-    /// Divides every group's errors by those of `rule` at its width, so that no roughness outweighs another.
-    void relate_to(const LobePattern& rule);
+    /// Divides every group's errors by those of the rule that is best at its width, so that no roughness outweighs another.
+    void relate_to(const std::vector<LobePattern>& rules);
+    /// Of `errors`, the root mean square at the width with this mx.
+    double width_error(float mx, const std::vector<double>& errors) const;
 
 private:
     void fill(TrainingGroup& group, int points, uint32_t seed) const;

@@ -1,7 +1,7 @@
 // Fits the tuned patterns and prints their table: burnish_tune_patterns > core/burnish/sampling/tuned_patterns.def
 //
 // Least squares: the residuals are the errors of `regular` at points on spheres under stress lights, for all roughnesses at
-// once, each relative to what the equally spaced pattern leaves there. The unknowns are places, shares and levels of a
+// once, each relative to what the equally spaced pattern leaves there with the best border and level bias for it. The unknowns are places, shares and levels of a
 // pattern's orbits. Starts are rows of samples across the lobe, in every arrangement that suits its anisotropy; all are
 // fitted on few points, the best on all. The same seed gives the same table, whatever the number of threads.
 #include "training_set.h"
@@ -136,7 +136,7 @@ private:
     const TrainingSet& m_training;
 };
 
-/// Mean square error relative to the equally spaced pattern's, and the pattern that has it.
+/// Mean square error relative to the best equally spaced pattern's, and the pattern that has it.
 struct Fit {
     double cost;
     std::vector<Orbit> orbits;
@@ -155,10 +155,22 @@ Fit fitted(const std::vector<Orbit>& start, LobeTail tail, const TrainingSet& tr
     return {2 * summary.final_cost, unknowns.orbits(x.data())};
 }
 
+/// The equally spaced pattern at many borders and level biases (as areas, relative to the default bias).
+std::vector<LobePattern> rules(int n, float aspect, LobeTail tail) {
+    std::vector<LobePattern> list;
+    for (const float border : {0.02f, 0.04f, 0.07f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.4f})
+        for (const float bias : {-0.3f, 0.0f, 0.3f, 0.6f}) {
+            const auto radius_of = [&](float xi) { return lobe_radius(tail, xi); };
+            LobePattern pattern = regular_pattern(PatternKind::automatic, n, aspect, border, radius_of);
+            for (PatternSample& s : pattern) s.area *= std::exp2(2 * bias);
+            list.push_back(std::move(pattern));
+        }
+    return list;
+}
+
 Fit best_fit(int n, float aspect, LobeTail tail, TrainingSet& few, TrainingSet& all) {
-    const LobePattern rule =
-        regular_pattern(PatternKind::circles, n, aspect, 0, [&](float xi) { return lobe_radius(tail, xi); });
-    few.relate_to(rule), all.relate_to(rule);
+    const std::vector<LobePattern> references = rules(n, aspect, tail);
+    few.relate_to(references), all.relate_to(references);
     Fit best{1e30, {}};
     for (const std::vector<Orbit>& start : starts(n, aspect, tail)) {
         Fit fit = fitted(start, tail, few, 8);
@@ -180,17 +192,21 @@ void print(const std::vector<Orbit>& orbits, LobeTail tail, int n, float aspect)
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::vector<int> samples{3, 4, 5, 7, 9, 12, 14, 16, 19, 30};
-    std::vector<float> aspects{1.0f, 1.2f, 2.0f, 4.0f, 8.0f, 16.0f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f};
+    std::vector<int> samples{3, 4, 5, 7, 9, 12, 16, 19, 30};
+    std::vector<float> aspects{1.0f, 1.2f, 2.0f, 4.0f, 8.0f, 16.0f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f},
+        anisotropic_widths{0.03f, 0.08f, 0.2f};
     std::vector<std::string> tails{"gaussian", "long_tail"};
-    int lights = 12, points = 200;
+    int lights = 16, points = 125;
     uint32_t seed = 1;
     CLI::App app("Fits patterns of few samples to stress lights and prints their table");
     app.add_option("--samples", samples, "counts")->delimiter(',')->capture_default_str();
     app.add_option("--aspects", aspects, "max(mx, my) / min(mx, my); 1 is the isotropic lobe")
         ->delimiter(',')
         ->capture_default_str();
-    app.add_option("--widths", widths, "slope widths m = sqrt(mx my) fitted together")->delimiter(',')->capture_default_str();
+    app.add_option("--widths", widths, "slope widths m fitted together, isotropic lobe")->delimiter(',')->capture_default_str();
+    app.add_option("--anisotropic-widths", anisotropic_widths, "the same of other lobes, m = sqrt(mx my)")
+        ->delimiter(',')
+        ->capture_default_str();
     app.add_option("--tails", tails, "gaussian, long_tail")->delimiter(',')->capture_default_str();
     app.add_option("--lights", lights, "number of stress lights")->capture_default_str();
     app.add_option("--points", points, "per light and width")->capture_default_str();
@@ -200,12 +216,17 @@ int main(int argc, char** argv) {
     for (const std::string& name : tails)
         for (const float aspect : aspects) {
             const LobeTail tail = name == "gaussian" ? LobeTail::gaussian : LobeTail::long_tail;
-            TrainingSet few(tail, aspect, widths, std::max(lights / 4, 1), points, seed);
-            TrainingSet all(tail, aspect, widths, lights, points, seed);
+            const std::vector<float>& together = aspect == 1 ? widths : anisotropic_widths;
+            TrainingSet few(tail, aspect, together, std::max(lights / 4, 1), points, seed);
+            TrainingSet all(tail, aspect, together, lights, points, seed);
             for (const int n : samples) {
                 const Fit fit = best_fit(n, aspect, tail, few, all);
-                std::fprintf(stderr, "%s %d, aspect %g: %.3f of the rule's error\n", name.c_str(), n, aspect,
+                std::fprintf(stderr, "%s %d, aspect %g: %.3f of the rule's error, by width", name.c_str(), n, aspect,
                              std::sqrt(fit.cost));
+                const std::vector<double> errors = all.errors(unfolded(fit.orbits, tail));
+                for (const float m : together)
+                    std::fprintf(stderr, " %.3f", all.width_error(std::min(m * std::sqrt(aspect), 1.0f), errors));
+                std::fputs("\n", stderr);
                 print(fit.orbits, tail, n, aspect);
             }
         }
