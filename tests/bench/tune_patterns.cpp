@@ -16,6 +16,7 @@ using namespace burnish;
 
 namespace {
 
+constexpr int kManyWays = 9;          // up to here a sample more or less in a row makes a different pattern
 constexpr double kStartRadius = 1.4;  // of the Gaussian lobe that the rows fill, exp(-1.4^2) = 0.14 beyond
 
 float lobe_radius(LobeTail tail, float xi) { return tail == LobeTail::gaussian ? gaussian_radius(xi) : std::sqrt(1 / xi - 1); }
@@ -59,7 +60,7 @@ std::vector<std::vector<Orbit>> starts(int n, float aspect, LobeTail tail) {
     std::set<std::pair<int, std::vector<int>>> arrangements;
     const double ideal = std::sqrt(n / aspect);
     for (int rows = 1; rows <= n; ++rows)
-        for (const double rounding : {0.3, 0.7})
+        for (const double rounding : n <= kManyWays ? std::vector<double>{-0.7, 0.3, 0.7} : std::vector<double>{0.5})
             if (std::abs(rows - ideal) < 1.2 + 0.25 * ideal)
                 if (const std::vector<int> counts = row_counts(n, rows, rounding); !counts.empty())
                     arrangements.insert({rows, counts});
@@ -173,11 +174,11 @@ Fit best_fit(int n, float aspect, LobeTail tail, TrainingSet& few, TrainingSet& 
     few.relate_to(references), all.relate_to(references);
     Fit best{1e30, {}};
     for (const std::vector<Orbit>& start : starts(n, aspect, tail)) {
-        Fit fit = fitted(start, tail, few, 8);
+        Fit fit = fitted(start, tail, few, 5);
         std::fprintf(stderr, "  %zu orbits: %.3f\n", start.size(), std::sqrt(fit.cost));
         if (fit.cost < best.cost) best = std::move(fit);
     }
-    return fitted(best.orbits, tail, all, 20);
+    return fitted(best.orbits, tail, all, 15);
 }
 
 void print(const std::vector<Orbit>& orbits, LobeTail tail, int n, float aspect) {
@@ -193,7 +194,7 @@ void print(const std::vector<Orbit>& orbits, LobeTail tail, int n, float aspect)
 
 int main(int argc, char** argv) {
     std::vector<int> samples{3, 4, 5, 7, 9, 12, 16, 19, 30};
-    std::vector<float> aspects{1.0f, 1.2f, 2.0f, 4.0f, 8.0f, 16.0f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f},
+    std::vector<float> aspects{1.0f, 1.3f, 3.0f, 9.0f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f},
         anisotropic_widths{0.03f, 0.08f, 0.2f};
     std::vector<std::string> tails{"gaussian", "long_tail"};
     int lights = 16, points = 125;
