@@ -55,12 +55,20 @@ std::pair<SurfaceBatch, std::vector<double>> sphere_points(int count, const Trai
 
 }  // namespace
 
-TrainingSet::TrainingSet(LobeTail tail, float aspect, const std::vector<float>& widths, int lights, int points, uint32_t seed) {
+std::vector<Environment> training_lights(int count, uint32_t seed, const std::vector<std::string>& files) {
     EnvironmentSettings settings;
     settings.face_size = kFaceSize;
-    for (int i = 0; i < lights; ++i)
-        m_lights.push_back(Environment::from_image(scenes::stress_light(seed + i, 2 * kFaceSize), settings, "stress"));
-    for (const Environment& light : m_lights)
+    std::vector<Environment> lights;
+    for (const std::string& file : files) lights.push_back(Environment::load(file, settings));
+    for (int i = 0; i < count && files.empty(); ++i)
+        lights.push_back(Environment::from_image(scenes::stress_light(seed + i, 2 * kFaceSize), settings, "stress"));
+    return lights;
+}
+
+TrainingSet::TrainingSet(LobeTail tail, float aspect, const std::vector<float>& widths, std::span<const Environment> lights,
+                         int points, uint32_t seed)
+    : m_lights(lights.size()) {
+    for (const Environment& light : lights)
         for (const float m : widths) {
             LobeParameters lobe;
             lobe.model = tail == LobeTail::gaussian ? ModelId::beckmann : ModelId::ggx;
@@ -116,7 +124,7 @@ double TrainingSet::width_error(float mx, const std::vector<double>& errors) con
         const double* own = errors.data() + group.first;
         if (group.lobe.mx == mx) sum = std::inner_product(own, own + group.points.size(), own, sum);
     }
-    return std::sqrt(sum * m_groups.size() / m_lights.size());
+    return std::sqrt(sum * m_groups.size() / m_lights);
 }
 
 void TrainingSet::relate_to(const std::vector<LobePattern>& rules) {

@@ -6,6 +6,8 @@
 #include <burnish/shading/shading_point.h>
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace burnish {
@@ -25,10 +27,14 @@ struct TrainingGroup {
     size_t first = 0;  // of its errors among all
 };
 
+/// `count` stress lights, seeds counted from `seed`; or the files, if any are named.
+std::vector<Environment> training_lights(int count, uint32_t seed, const std::vector<std::string>& files);
+
 class TrainingSet {
 public:
-    /// `points` on a sphere for every one of `lights` stress lights, seeds counted from `seed`, and every width m = sqrt(mx my).
-    TrainingSet(LobeTail tail, float aspect, const std::vector<float>& widths, int lights, int points, uint32_t seed);
+    /// `points` on a sphere for every one of the lights, which must outlive the set, and every width m = sqrt(mx my).
+    TrainingSet(LobeTail tail, float aspect, const std::vector<float>& widths, std::span<const Environment> lights, int points,
+                uint32_t seed);
 
     size_t size() const { return m_points; }
     /// Relative errors of `pattern` at every point, as `regular` with the default level bias and an exact albedo correction makes them.
@@ -42,7 +48,7 @@ private:
     void fill(TrainingGroup& group, int points, uint32_t seed) const;
     void group_errors(const TrainingGroup& group, const LobePattern& pattern, double* errors) const;
 
-    std::vector<Environment> m_lights;
+    size_t m_lights;
     std::vector<TrainingGroup> m_groups;
     size_t m_points = 0;
 };

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <numeric>
 #include <set>
 
 using namespace burnish;
@@ -169,25 +170,32 @@ std::vector<LobePattern> rules(int n, float aspect, LobeTail tail) {
     return list;
 }
 
-Fit best_fit(int n, float aspect, LobeTail tail, TrainingSet& few, TrainingSet& all) {
-    const std::vector<LobePattern> references = rules(n, aspect, tail);
-    few.relate_to(references), all.relate_to(references);
+std::vector<Orbit> best_fit(int n, float aspect, LobeTail tail, const TrainingSet& few, const TrainingSet& all) {
     Fit best{1e30, {}};
     for (const std::vector<Orbit>& start : starts(n, aspect, tail)) {
         Fit fit = fitted(start, tail, few, 5);
-        std::fprintf(stderr, "  %zu orbits: %.3f\n", start.size(), std::sqrt(fit.cost));
         if (fit.cost < best.cost) best = std::move(fit);
     }
-    return fitted(best.orbits, tail, all, 15);
+    return fitted(best.orbits, tail, all, 15).orbits;
 }
 
-void print(const std::vector<Orbit>& orbits, LobeTail tail, int n, float aspect) {
+/// Prints the line of the table, and returns the pattern.
+LobePattern print(const std::vector<Orbit>& orbits, LobeTail tail, int n, float aspect) {
     double total = 0;
     for (const Orbit& o : orbits) total += o.share * (o.u > 0 ? 2 : 1) * (o.v > 0 ? 2 : 1);
     std::printf("BURNISH_TUNED_PATTERN(%s, %d, %g", tail == LobeTail::gaussian ? "gaussian" : "long_tail", n, aspect);
     for (const Orbit& o : orbits) std::printf(", {%.4g, %.4g, %.4g, %.3g}", o.u, o.v, o.share / total, o.level);
     std::puts(")");
     std::fflush(stdout);
+    return unfolded(orbits, tail);
+}
+
+/// Prints a pattern's error relative to the best equally spaced pattern's: of all widths, and of each.
+void report(std::FILE* file, const TrainingSet& set, const LobePattern& pattern, const std::vector<float>& mx) {
+    const std::vector<double> errors = set.errors(pattern);
+    std::fprintf(file, " %.3f, by width", std::sqrt(std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0)));
+    for (const float width : mx) std::fprintf(file, " %.3f", set.width_error(width, errors));
+    std::fputs("\n", file);
 }
 
 }  // namespace
@@ -199,6 +207,8 @@ int main(int argc, char** argv) {
     std::vector<std::string> tails{"gaussian", "long_tail"};
     int lights = 16, points = 125;
     uint32_t seed = 1;
+    bool check = false;
+    std::vector<std::string> files;
     CLI::App app("Fits patterns of few samples to stress lights and prints their table");
     app.add_option("--samples", samples, "counts")->delimiter(',')->capture_default_str();
     app.add_option("--aspects", aspects, "max(mx, my) / min(mx, my); 1 is the isotropic lobe")
@@ -211,24 +221,27 @@ int main(int argc, char** argv) {
     app.add_option("--tails", tails, "gaussian, long_tail")->delimiter(',')->capture_default_str();
     app.add_option("--lights", lights, "number of stress lights")->capture_default_str();
     app.add_option("--points", points, "per light and width")->capture_default_str();
+    app.add_option("--lights-from", files, "environment files instead of stress lights")->delimiter(',');
+    app.add_flag("--check", check, "instead print the errors of the table as compiled in, relative to the equally spaced");
     app.add_option("--seed", seed, "of the first light")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
-    std::puts("// Written by burnish_tune_patterns: tail, samples, aspect, then the orbits {u, v, share, level}.");
+    const std::vector<Environment> light_list = training_lights(lights, seed, files);
+    const std::span<const Environment> some(light_list.data(), std::max<size_t>(light_list.size() / 4, 1));
+    if (!check) std::puts("// Written by burnish_tune_patterns: tail, samples, aspect, then the orbits {u, v, share, level}.");
     for (const std::string& name : tails)
         for (const float aspect : aspects) {
             const LobeTail tail = name == "gaussian" ? LobeTail::gaussian : LobeTail::long_tail;
-            const std::vector<float>& together = aspect == 1 ? widths : anisotropic_widths;
-            TrainingSet few(tail, aspect, together, std::max(lights / 4, 1), points, seed);
-            TrainingSet all(tail, aspect, together, lights, points, seed);
+            std::vector<float> together = aspect == 1 ? widths : anisotropic_widths;
+            TrainingSet all(tail, aspect, together, light_list, points, seed);
+            TrainingSet few(tail, aspect, together, some, points, seed);
+            for (float& m : together) m = std::min(m * std::sqrt(aspect), 1.0f);
             for (const int n : samples) {
-                const Fit fit = best_fit(n, aspect, tail, few, all);
-                std::fprintf(stderr, "%s %d, aspect %g: %.3f of the rule's error, by width", name.c_str(), n, aspect,
-                             std::sqrt(fit.cost));
-                const std::vector<double> errors = all.errors(unfolded(fit.orbits, tail));
-                for (const float m : together)
-                    std::fprintf(stderr, " %.3f", all.width_error(std::min(m * std::sqrt(aspect), 1.0f), errors));
-                std::fputs("\n", stderr);
-                print(fit.orbits, tail, n, aspect);
+                const std::vector<LobePattern> references = rules(n, aspect, tail);
+                few.relate_to(references), all.relate_to(references);
+                const LobePattern pattern =
+                    check ? tuned_pattern(n, aspect, tail) : print(best_fit(n, aspect, tail, few, all), tail, n, aspect);
+                std::fprintf(check ? stdout : stderr, "%s %d, aspect %g:", name.c_str(), n, aspect);
+                report(check ? stdout : stderr, all, pattern, together);
             }
         }
     return 0;
