@@ -202,8 +202,7 @@ void report(std::FILE* file, const TrainingSet& set, const LobePattern& pattern,
 
 int main(int argc, char** argv) {
     std::vector<int> samples{3, 4, 5, 7, 9, 12, 16, 19, 30};
-    std::vector<float> aspects{1.0f, 1.3f, 3.0f, 9.0f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f},
-        anisotropic_widths{0.03f, 0.08f, 0.2f};
+    std::vector<float> aspects{1.0f, 1.3f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f}, anisotropic_widths{0.03f, 0.08f, 0.2f};
     std::vector<std::string> tails{"gaussian", "long_tail"};
     int lights = 16, points = 125;
     uint32_t seed = 1;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kPi2 = 2 * std::numbers::pi;
 constexpr int kMaxCircles = 256;
-constexpr int kFewestTuned = 3, kMostTuned = 30;  // samples; tuned patterns have less error there (docs/measured.md)
 constexpr float kExtremeAspect = 8.0f;  // beyond it a line covers the lobe better than circles (tests/bench)
 
 /// Samples of one circle of radius r about the wider axis, in normalised slopes of a lobe with this aspect; they share `area`.
@@ -120,8 +119,8 @@ LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radi
 }
 
 LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
-    const bool tuned = kind == PatternKind::automatic && border == 0 && samples >= kFewestTuned && samples <= kMostTuned;
-    if (kind == PatternKind::tuned || tuned) return tuned_pattern(samples, aspect, lobe_tail(radius_of));
+    if (kind == PatternKind::automatic && border == 0 && is_tuned_better(samples, aspect)) kind = PatternKind::tuned;
+    if (kind == PatternKind::tuned) return tuned_pattern(samples, aspect, lobe_tail(radius_of));
     if (kind == PatternKind::automatic && std::max(aspect, 1 / aspect) > kExtremeAspect) kind = PatternKind::line;
     const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;  // a line reaches further with the same count
     const float xi0 = border > 0 ? border : default_border(rings_worth, radius_of);

@@ -22,6 +22,9 @@ double mismatch(const TunedPattern& entry, int samples, float aspect) {
     return 1000.0 * std::abs(entry.samples - samples) + (one_isotropic ? 100 : 0) + octaves;
 }
 
+constexpr int kMostSamples = 30, kFewestSamples = 3, kFewestAnisotropic = 7;
+constexpr float kWidestAspect = 2.0f;
+
 }  // namespace
 
 LobeTail lobe_tail(const RadiusOf& radius_of) {
@@ -61,6 +64,11 @@ LobePattern tuned_pattern(int samples, float aspect, LobeTail tail) {
     if (aspect < 1)
         for (PatternSample& s : pattern) std::swap(s.u, s.v);
     return pattern;
+}
+
+bool is_tuned_better(int samples, float aspect) {
+    if (samples > kMostSamples || std::max(aspect, 1 / aspect) > kWidestAspect) return false;
+    return samples >= (aspect == 1 ? kFewestSamples : kFewestAnisotropic);
 }
 
 }  // namespace burnish

@@ -1,7 +1,7 @@
 // Tuned patterns: few samples whose places, weights and filter widths were fitted to lights, not laid out by a rule.
 //
 // Every pattern mirrors into itself at both axes, so it is stored as orbits: one sample and its mirror images. The table,
-// tuned_patterns.def, is written by tools/tune_patterns, which fits a pattern per count and anisotropy for lobes with Gaussian
+// tuned_patterns.def, is written by tests/bench/tune_patterns.cpp, which fits a pattern per count and anisotropy for lobes with Gaussian
 // tails (Beckmann, Kurt) and with long ones (GGX); none depends on the roughness.
 #pragma once
 
@@ -39,5 +39,8 @@ LobePattern unfolded(const std::vector<Orbit>& orbits, LobeTail tail);
 /// The tuned pattern nearest in count, then in log aspect, to a lobe of aspect mx/my. An aspect of exactly 1 gets the isotropic
 /// pattern, and no other does.
 LobePattern tuned_pattern(int samples, float aspect, LobeTail tail);
+
+/// Whether the table measured better than equally spaced circles for this request (docs/measured.md).
+bool is_tuned_better(int samples, float aspect);
 
 }  // namespace burnish
