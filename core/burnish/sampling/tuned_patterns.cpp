@@ -22,7 +22,7 @@ double mismatch(const TunedPattern& entry, int samples, float aspect) {
     return 1000.0 * std::abs(entry.samples - samples) + (one_isotropic ? 100 : 0) + octaves;
 }
 
-constexpr int kMostSamples = 30, kFewestSamples = 3, kFewestAnisotropic = 7;
+constexpr int kMostSamples = 12, kFewestSamples = 3, kFewestAnisotropic = 7;
 constexpr float kWidestAspect = 2.0f;
 
 }  // namespace

@@ -110,11 +110,11 @@ TEST(TunedPatterns, AreTakenWhereTheyMeasuredBetter) {
         return std::ranges::any_of(pattern, [](const PatternSample& s) { return s.weight != 1; });
     };
     EXPECT_TRUE(is_tuned(3, 1, 0));
-    EXPECT_TRUE(is_tuned(19, 1.5f, 0));
+    EXPECT_TRUE(is_tuned(9, 1.5f, 0));
     EXPECT_FALSE(is_tuned(5, 1.5f, 0));
-    EXPECT_FALSE(is_tuned(19, 5, 0)) << "no table for long lobes";
-    EXPECT_FALSE(is_tuned(61, 1, 0));
-    EXPECT_FALSE(is_tuned(19, 1, 0.1f)) << "a border is the user's own layout";
+    EXPECT_FALSE(is_tuned(9, 5, 0)) << "no table for long lobes";
+    EXPECT_FALSE(is_tuned(19, 1, 0));
+    EXPECT_FALSE(is_tuned(9, 1, 0.1f)) << "a border is the user's own layout";
 }
 
 TEST(TunedPatterns, UnfoldToTheSharesAndLevelsOfTheirOrbits) {
