@@ -1,7 +1,7 @@
-// Error of the few-sample estimators on the stress light: relative RMS against `reference`, as CSV on standard output.
+// Error of the few-sample estimators: relative RMS against `reference`, as CSV on standard output.
 //
 // One row per (model, mx, my, estimator, quadrature, samples, border, level bias, albedo correction), the mean over
-// `--lights` stress lights on a sphere of `--size` pixels. `burnish_estimator_error --help` lists the sweeps.
+// `--lights` stress lights, or over the files of `--lights-from`, on a sphere of `--size` pixels. `burnish_estimator_error --help` lists the sweeps.
 #include "core/scenes.h"
 
 #include <burnish/base/parallel.h>
@@ -17,7 +17,9 @@ using namespace burnish;
 namespace {
 
 struct Sweep {
-    int size = 96, lights = 8, face_size = 512;
+    float tolerance = 0.002f;
+    int size = 96, lights = 8, first_light = 1000, face_size = 512;
+    std::vector<std::string> files;
     std::string model = "beckmann", kernel = "binomial6";
     std::vector<float> mx{0.02f, 0.05f, 0.1f, 0.15f, 0.3f}, my, biases{-1.0f, -0.75f, -0.5f, -0.25f, 0.0f}, borders{0.0f};
     std::vector<int> samples{19};
@@ -32,11 +34,9 @@ const std::map<std::string, EstimatorKind> kEstimators{{"regular", EstimatorKind
                                                        {"filtered_importance", EstimatorKind::filtered_importance}};
 const std::map<std::string, Quadrature> kQuadratures{
     {"half_vector", Quadrature::half_vector}, {"energy", Quadrature::energy}, {"energy_squared", Quadrature::energy_squared}};
-const std::map<std::string, PatternKind> kPatterns{{"automatic", PatternKind::automatic},
-                                                   {"circles", PatternKind::circles},
-                                                   {"offset_circles", PatternKind::offset_circles},
-                                                   {"ring", PatternKind::ring},
-                                                   {"line", PatternKind::line}};
+const std::map<std::string, PatternKind> kPatterns{
+    {"automatic", PatternKind::automatic}, {"circles", PatternKind::circles}, {"offset_circles", PatternKind::offset_circles},
+    {"ring", PatternKind::ring},           {"line", PatternKind::line},       {"tuned", PatternKind::tuned}};
 
 /// Root of mean (a - b)^2 over mean b^2, over the pixels the reference shaded.
 double relative_rms(const Image& image, const Image& reference, const Image& samples) {
@@ -58,8 +58,9 @@ public:
           m_surfaces(m_frame, m_assignment, {}) {
         EnvironmentSettings settings;
         settings.face_size = sweep.face_size, settings.kernel = kKernels.at(sweep.kernel);
-        for (int i = 0; i < sweep.lights; ++i)
-            m_lights.push_back(Environment::from_image(scenes::stress_light(1000 + i, 1024), settings, "stress"));
+        for (const std::string& file : sweep.files) m_lights.push_back(Environment::load(file, settings));
+        for (int i = 0; i < sweep.lights && sweep.files.empty(); ++i)
+            m_lights.push_back(Environment::from_image(scenes::stress_light(sweep.first_light + i, 1024), settings, "stress"));
     }
 
     void run(float mx, float my) {
@@ -68,7 +69,7 @@ public:
         lobe.extra = {0.0f};
         m_material.lobes = {lobe};
         EstimatorSettings settings;
-        settings.kind = EstimatorKind::reference, settings.tolerance = 0.002f, settings.max_samples = 32768;
+        settings.kind = EstimatorKind::reference, settings.tolerance = m_sweep.tolerance, settings.max_samples = 32768;
         m_references.clear();
         for (const Environment& light : m_lights) m_references.push_back(shade(light, settings));
         for (const std::string& estimator : m_sweep.estimators) sweep_estimator(estimator, lobe);
@@ -119,9 +120,12 @@ private:
 
 int main(int argc, char** argv) {
     Sweep sweep;
-    CLI::App app("Relative RMS of the few-sample estimators on the stress light");
+    CLI::App app("Relative RMS of the few-sample estimators");
     app.add_option("--size", sweep.size, "sphere diameter in pixels")->capture_default_str();
     app.add_option("--lights", sweep.lights, "number of stress lights")->capture_default_str();
+    app.add_option("--first-light", sweep.first_light, "seed of the first stress light")->capture_default_str();
+    app.add_option("--lights-from", sweep.files, "environment files instead of stress lights")->delimiter(',');
+    app.add_option("--tolerance", sweep.tolerance, "of the reference")->capture_default_str();
     app.add_option("--face-size", sweep.face_size, "texels per cube face edge")->capture_default_str();
     app.add_option("--kernel", sweep.kernel, "box2, binomial4 or binomial6")->capture_default_str();
     app.add_option("--model", sweep.model, "kurt, beckmann or ggx")->capture_default_str();
@@ -134,7 +138,7 @@ int main(int argc, char** argv) {
     app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")
         ->delimiter(',')
         ->capture_default_str();
-    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, line")
+    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, line, tuned")
         ->delimiter(',')
         ->capture_default_str();
     app.add_flag("--uncorrected", sweep.uncorrected, "without the albedo correction");

@@ -85,8 +85,10 @@ void add_quality(std::vector<Setting>& table) {
                                          {"circles", PatternKind::circles},
                                          {"offset_circles", PatternKind::offset_circles},
                                          {"ring", PatternKind::ring},
-                                         {"line", PatternKind::line}},
-                                        "shape of the regular pattern; auto: circles, or a line where the lobe is very long"));
+                                         {"line", PatternKind::line},
+                                         {"tuned", PatternKind::tuned}},
+                                        "shape of the regular pattern; tuned: fitted to lights, up to 30 samples; auto: tuned "
+                                        "where that is better, else circles, or a line where the lobe is very long"));
     table.push_back(number({"border", "quality", "border"}, AT(estimator.border), {0, 0.999}, "",
                            "where the lobe ends: share of its energy left beyond; 0: by sample count"));
     table.push_back(choice<Quadrature>({"quadrature", "quality", "quadrature"}, AT(estimator.quadrature),

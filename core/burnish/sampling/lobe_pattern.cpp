@@ -1,5 +1,7 @@
 #include <burnish/sampling/lobe_pattern.h>
 
+#include <burnish/sampling/tuned_patterns.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -117,6 +119,8 @@ LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radi
 }
 
 LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
+    if (kind == PatternKind::automatic && border == 0 && is_tuned_better(samples, aspect)) kind = PatternKind::tuned;
+    if (kind == PatternKind::tuned) return tuned_pattern(samples, aspect, lobe_tail(radius_of));
     if (kind == PatternKind::automatic && std::max(aspect, 1 / aspect) > kExtremeAspect) kind = PatternKind::line;
     const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;  // a line reaches further with the same count
     const float xi0 = border > 0 ? border : default_border(rings_worth, radius_of);
@@ -128,8 +132,7 @@ LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float b
 float gaussian_radius(float xi) { return std::sqrt(-std::log(xi)); }
 
 float default_border(int samples, const RadiusOf& radius_of) {
-    const bool long_tailed = radius_of(0.01f) > 2 * gaussian_radius(0.01f);
-    return std::clamp((long_tailed ? 0.85f : 1.5f) / samples, 0.001f, 0.4f);
+    return std::clamp((lobe_tail(radius_of) == LobeTail::long_tail ? 0.85f : 1.5f) / samples, 0.001f, 0.4f);
 }
 
 }  // namespace burnish

@@ -14,8 +14,9 @@
 namespace burnish {
 
 struct PatternSample {
-    float u, v;  // normalised slopes
-    float area;  // of the (u, v) plane this sample stands for; the areas of a pattern tile the lobe up to its border
+    float u, v;        // normalised slopes
+    float area;        // of the (u, v) plane the lookup is filtered over; those of a regular pattern tile the lobe
+    float weight = 1;  // area this sample stands for in the sum, relative to `area`
 };
 using LobePattern = std::vector<PatternSample>;
 
@@ -42,7 +43,8 @@ LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of);
 LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of);
 
 /// The pattern of `kind` whose count is nearest to `samples`; circles try both spacings and a few first circles.
-/// border = 0 takes the measured default for the count, `default_border`.
+/// border = 0 takes the measured default for the count, `default_border`. Tuned patterns have no border: with one given,
+/// `automatic` lays out circles or a line.
 LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of);
 
 /// xi0 for n samples, between what measured best on stress lights with rough lobes and on a real HDR with smooth ones

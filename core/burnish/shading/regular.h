@@ -2,7 +2,8 @@
 //
 //     L = sum_i Li(wi) a_i / norm,   wi = reflect(wo, h_i),   Omega_i = 4 (wo . h_i) Omega_h,i
 //
-// Omega_h = area mx my cos^3 theta_h is the pattern cell's solid angle about h, and 4 (wo . h) its stretch by reflection.
+// Omega_h = area mx my cos^3 theta_h is the pattern cell's solid angle about h, and 4 (wo . h) its stretch by reflection. In a and
+// norm, Omega stands multiplied by the sample's weight, 1 in all patterns but the tuned ones.
 #pragma once
 
 #include <burnish/material/lobe.h>
@@ -32,13 +33,13 @@ void regular_taps(const LobeType& lobe, const LobePattern& pattern, Quadrature q
         const float D = lobe.D(h), wo_h = point.wo.dot(h);
         const Vec3f wi = lobe.mirrored(h * (2 * wo_h) - point.wo);
         taps[i] = {wi, level_of(4 * std::max(wo_h, point.wo.z / (2 * cos_h)) * omega_h), Color3f(0, 0, 0)};
-        if (quadrature == Quadrature::half_vector) norm += Color3f(D * omega_h);
+        if (quadrature == Quadrature::half_vector) norm += Color3f(D * omega_h * s.weight);
         const float cos_i = wi.z * lobe.side_sign;
         if (cos_i <= 0) continue;
-        const float omega = 4 * wo_h * omega_h;
-        Color3f weight = lobe.eval(point.wo, wi) * (cos_i * omega);
+        const float omega = 4 * wo_h * omega_h, share = omega * s.weight;
+        Color3f weight = lobe.eval(point.wo, wi) * (cos_i * share);
         const float p = D * cos_h / (4 * wo_h);
-        if (quadrature == Quadrature::energy) norm += Color3f(p * cos_i * omega), weight *= cos_i;
+        if (quadrature == Quadrature::energy) norm += Color3f(p * cos_i * share), weight *= cos_i;
         if (quadrature == Quadrature::energy_squared) norm += weight, weight *= lobe.eval(point.wo, wi) * (cos_i / p);
         taps[i].weight = weight;
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 using namespace burnish;
@@ -87,6 +88,18 @@ TEST(Settings, KeepShortDecimals) {
               }()))
                   .dump(),
               R"({"composite":{"gain":0.1}})");
+}
+
+TEST(Settings, NameEveryPattern) {
+    const std::pair<const char*, PatternKind> names[] = {
+        {"auto", PatternKind::automatic}, {"circles", PatternKind::circles}, {"offset_circles", PatternKind::offset_circles},
+        {"ring", PatternKind::ring},      {"line", PatternKind::line},       {"tuned", PatternKind::tuned}};
+    const auto pattern = std::ranges::find(settings(), "pattern", &Setting::name);
+    for (const auto& [name, kind] : names) {
+        Job job;
+        pattern->set(job, name, "pattern");
+        EXPECT_EQ(job.estimator.pattern, kind) << name;
+    }
 }
 
 TEST(SettingText, BecomesTheJsonOfItsKind) {
