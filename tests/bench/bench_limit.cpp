@@ -62,7 +62,7 @@ float bare_lookups(const CubeStack& stack, [[maybe_unused]] const hwy::float16_t
     float total = 0, rgba[4];
     for (size_t first = 0; first < dirs.x.size(); first += TapQueue::kCapacity) {
         for (size_t i = 0; i < TapQueue::kCapacity; i += hn::Lanes(d))
-            queue_taps(stack.layout(), stack.level_count(), CubePyramid::kDistortion,
+            queue_taps(stack.layout(), CubePyramid::kDistortion,
                        {hn::LoadU(d, &dirs.x[first + i]), hn::LoadU(d, &dirs.y[first + i]), hn::LoadU(d, &dirs.z[first + i])},
                        hn::Set(d, level), i, queue);
         for (size_t i = 0; i < TapQueue::kCapacity; i += 8) {
