@@ -14,7 +14,7 @@ STAGES = re.search(r"set\(stages ([a-z ]+)\)", (SOURCE / "core/CMakeLists.txt").
 HEADERS = sorted(CORE.rglob("*.h"))
 OWN_FILES = [path for folder in ("core", "python", "tests", "examples", "plugin") if (SOURCE / folder).exists()
              for path in sorted((SOURCE / folder).rglob("*")) if path.suffix in (".h", ".cpp", ".py", ".pyi", ".def", ".cmake", ".sh", ".txt")]
-HEAVY = ("OpenImageIO/", "OpenColorIO/", "embree", "tbb", "oneapi/", "Eigen/")
+HEAVY = ("OpenImageIO/", "OpenColorIO/", "embree", "tbb", "oneapi/", "Eigen/", "hwy/")
 
 
 def includes(path):

@@ -62,7 +62,7 @@ float bare_lookups(const CubeStack& stack, [[maybe_unused]] const hwy::float16_t
     float total = 0, rgba[4];
     for (size_t first = 0; first < dirs.x.size(); first += TapQueue::kCapacity) {
         for (size_t i = 0; i < TapQueue::kCapacity; i += hn::Lanes(d))
-            queue_taps(stack.layout(), stack.level_count(), CubePyramid::kDistortion,
+            queue_taps(stack.layout(), CubePyramid::kDistortion,
                        {hn::LoadU(d, &dirs.x[first + i]), hn::LoadU(d, &dirs.y[first + i]), hn::LoadU(d, &dirs.z[first + i])},
                        hn::Set(d, level), i, queue);
         for (size_t i = 0; i < TapQueue::kCapacity; i += 8) {
@@ -95,20 +95,21 @@ Image noise_latlong(int width) {
     return image;
 }
 
-/// Lobes of eight directions: along a slow spiral, each as wide as the footprints of its samples ask at this level of a 512^2
-/// cube; or anywhere on the sphere.
+/// Lobes of eight directions, each as wide as the footprints of its samples ask at this level of a 512^2 cube: as 128 x 128
+/// neighbouring pixels of a frame see them, their mirror directions 1/500 radian apart; or directions anywhere on the sphere.
 LobeDirections directions(bool coherent, float level) {
     std::mt19937 random(2);
     const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
-    constexpr int kCount = 1 << 17;
+    const float radius = 1.5f * std::exp2(level) * 2 / 512;
     LobeDirections all;
-    for (int i = 0; i < kCount; ++i) {
-        const float t = static_cast<float>(i / 8) / (kCount / 8), radius = 1.5f * std::exp2(level) * 2 / 512;
-        const float z = coherent ? 1 - 2 * t : 1 - 2 * uniform(), phi = 2 * kPi * (coherent ? 50 * t : uniform());
-        const float r = std::sqrt(std::max(0.0f, 1 - z * z)), turn = 2 * kPi * static_cast<float>(i % 8) / 8;
-        const Frame frame = Frame::around({r * std::cos(phi), r * std::sin(phi), z});
-        const Vec3f d =
-            coherent ? frame.n + frame.t * (radius * std::cos(turn)) + frame.b * (radius * std::sin(turn)) : frame.n;
+    for (int i = 0; i < 8 * 128 * 128; ++i) {
+        const float turn = 2 * kPi * static_cast<float>(i % 8) / 8;
+        const float x = static_cast<float>(i / 8 % 128) / 500, y = static_cast<float>(i / 8 / 128) / 500;
+        Vec3f d(1, 0.1f + x + radius * std::cos(turn), 0.2f + y + radius * std::sin(turn));
+        if (!coherent) {
+            const float z = 1 - 2 * uniform(), phi = 2 * kPi * uniform(), r = std::sqrt(std::max(0.0f, 1 - z * z));
+            d = Vec3f(r * std::cos(phi), r * std::sin(phi), z);
+        }
         all.x.push_back(d.x), all.y.push_back(d.y), all.z.push_back(d.z);
     }
     return all;

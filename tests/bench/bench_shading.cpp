@@ -39,6 +39,18 @@ void shade_1080p(benchmark::State& state) {
     state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+/// Arguments: mx and my in percent, roughness from a layer. What a lobe costs before its first pixel.
+void make_shader(benchmark::State& state) {
+    const ThreadLimit limit(2);
+    const Environment light = Environment::from_image(scenes::constant_light(1), {}, "constant");
+    LobeParameters lobe;
+    lobe.model = ModelId::ggx, lobe.mx = 0.01f * state.range(0), lobe.my = 0.01f * state.range(1);
+    lobe.per_pixel.roughness = state.range(2) != 0;
+    EstimatorSettings settings;
+    settings.samples = 16;
+    for (auto _ : state) benchmark::DoNotOptimize(MaterialShader({"bench", Color3f(0, 0, 0), {lobe}}, light, settings));
+}
+
 constexpr EstimatorKind regular = EstimatorKind::regular, filtered_importance = EstimatorKind::filtered_importance;
 
 }  // namespace
@@ -51,5 +63,13 @@ BENCHMARK(shade_1080p<ModelId::beckmann, regular>)->Args({16, 2})->Unit(benchmar
 BENCHMARK(shade_1080p<ModelId::ggx, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::ggx, filtered_importance>)
     ->Args({16, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK(make_shader)
+    ->ArgNames({"mx", "my", "layer"})
+    ->Args({10, 10, 0})
+    ->Args({30, 6, 0})
+    ->Args({10, 10, 1})
+    ->Args({30, 6, 1})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();

@@ -99,13 +99,17 @@ void TrainingSet::group_errors(const TrainingGroup& group, const LobePattern& pa
     const CubePyramid& pyramid = group.light->pyramid();
     const float bias = EstimatorSettings{}.level_bias;
     visit_lobe(group.lobe, [&](const auto& lobe) {
+        std::vector<Tap> taps(pattern.size());
+        const auto level_of = [&](float omega) { return pyramid.level(omega) + bias; };
         for (const TrainingPoint& at : group.points) {
-            const auto look = [&](const Vec3f& wi, float omega) {  // red: the light, green: constant light
-                const Vec3f d = at.point.frame.to_world(wi);
-                return Color3f(pyramid.lookup(d, pyramid.level(d, omega) + bias).y, 1, 0);
-            };
-            const Color3f sum = regular_estimate(lobe, pattern, Quadrature::half_vector, at.point, look);
-            const float estimate = sum.y > 0 ? sum.x * at.albedo / sum.y : 0;
+            regular_taps(lobe, pattern, Quadrature::half_vector, at.point, level_of, taps);
+            float light = 0, constant_light = 0;
+            for (const Tap& tap : taps) {
+                const Vec3f d = at.point.frame.to_world(tap.wi);
+                light += tap.weight.x * pyramid.lookup(d, tap.level + CubePyramid::kDistortion * cube_distortion(d)).y;
+                constant_light += tap.weight.x;
+            }
+            const float estimate = constant_light > 0 ? light * at.albedo / constant_light : 0;
             *errors++ = (estimate - at.truth) * at.importance * group.scale;
         }
     });

@@ -22,6 +22,7 @@ CubeStack::CubeStack(std::span<const int> sizes) {
     for (size_t k = 0; k < sizes.size(); ++k)
         m_levels.emplace_back(sizes[k], std::shared_ptr<float[]>(block, &block[4 * static_cast<size_t>(m_layout.begins[k])]));
     m_layout.rgba = block.get();
+    m_layout.last_level = static_cast<float>(level_count() - 1);
     const size_t entries = std::max<size_t>(sizes.size() + 1, kShortTable);
     if (!sizes.empty())
         m_layout.sizes.resize(entries, m_layout.sizes.back()), m_layout.begins.resize(entries, m_layout.begins.back());

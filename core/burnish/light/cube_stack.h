@@ -40,6 +40,7 @@ public:
     /// level stands there again, at least once, up to kShortTable entries or more.
     struct Layout {
         const float* rgba = nullptr;
+        float last_level = 0;
         std::vector<float> sizes;
         std::vector<int32_t> begins;
     };

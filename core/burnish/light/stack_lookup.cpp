@@ -21,8 +21,8 @@ void queue_stack_taps(const CubeStack& stack, float distortion, const StackTap* 
             std::copy_n(&tap.weight.x, 3, queue.weight[first + lane]);
             queue.weight[first + lane][3] = 0;
         }
-        queue_taps(stack.layout(), stack.level_count(), distortion, {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)},
-                   hn::Load(d, level), first, queue);
+        queue_taps(stack.layout(), distortion, {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)}, hn::Load(d, level), first,
+                   queue);
     }
 }
 

@@ -56,35 +56,48 @@ HWY_INLINE hn::Vec<D> of_level(D d, const std::vector<hn::TFromD<D>>& table, VI 
     return hn::IfThenElse(hn::RebindMask(d, hn::Gt(k, hn::Set(di, kHalf - 1))), high, low);
 }
 
+/// The nearest whole number of v in [-1, 2^22), both ways up; ties go either way.
+struct Whole {
+    VI index;
+    VF value;
+};
+HWY_INLINE Whole nearest(VF v) {
+    const Lanes d;
+    const IntLanes di;
+    const VF shift = hn::Set(d, 0x1.8p23f), shifted = hn::Add(v, shift);  // the last bit of such a float is worth one
+    return {hn::Sub(hn::BitCast(di, shifted), hn::BitCast(di, shift)), hn::Sub(shifted, shift)};
+}
+
 /// The place of a lookup in one level: the texel above left, the one below it, and the shares of the next column and row.
+/// Texel centres lie half a texel in, so the texel to the left, the border counted, is the nearest edge.
 struct Place {
     VI texel, below;
     VF x, y;
 };
 HWY_INLINE Place place(const CubeStack::Layout& stack, VI level, VI face, VF x, VF y) {
-    const Lanes d;
     const IntLanes di;
-    const VF size = of_level(d, stack.sizes, level), half = hn::Set(d, 0.5f);
-    const VI stride = hn::Add(hn::ConvertTo(di, size), hn::Set(di, 2));
-    const VF px = hn::MulAdd(x, size, half), py = hn::MulAdd(y, size, half);
-    const VI column = hn::ConvertTo(di, px), row = hn::ConvertTo(di, py);
-    const VI texel =
-        hn::Add(hn::Add(hn::Mul(hn::Add(hn::Mul(face, stride), row), stride), column), of_level(di, stack.begins, level));
-    return {texel, hn::Add(texel, stride), hn::Sub(px, hn::ConvertTo(d, column)), hn::Sub(py, hn::ConvertTo(d, row))};
+    const VF size = of_level(Lanes(), stack.sizes, level), half = hn::Set(Lanes(), 0.5f);
+    const VI stride = hn::Add(nearest(size).index, hn::Set(di, 2)), begin = of_level(di, stack.begins, level);
+    const VF px = hn::Mul(x, size), py = hn::Mul(y, size);
+    const Whole column = nearest(px), row = nearest(py);
+    const VI first = hn::Add(hn::Mul(hn::Add(hn::Mul(face, stride), row.index), stride), column.index);
+    const VI texel = hn::Add(first, begin);
+    return {texel, hn::Add(texel, stride), hn::Add(hn::Sub(px, column.value), half), hn::Add(hn::Sub(py, row.value), half)};
 }
 
-/// cube_distortion for 4 q = |d|^2 / max d_k^2 - 1, q in [0, 1/2], within 4e-5: Chebyshev in t = 4 q - 1.
+/// cube_distortion for 4 q = |d|^2 / max d_k^2 - 1, q in [0, 1/2], within 4e-5: Chebyshev in t = 4 q - 1, by Estrin's scheme.
 HWY_INLINE VF distortion_of(VF q) {
     const Lanes d;
-    const VF t = hn::MulSub(q, hn::Set(d, 4.0f), hn::Set(d, 1.0f));
-    VF sum = hn::Set(d, -0.00269431947f);
-    for (const float c : {0.00635830406f, -0.0108298585f, 0.0290577225f, -0.090225026f, 0.360801727f, 0.5f})
-        sum = hn::MulAdd(sum, t, hn::Set(d, c));
-    return sum;
+    const auto c = [&](float value) { return hn::Set(d, value); };
+    const VF t = hn::MulSub(q, c(4), c(1)), t2 = hn::Mul(t, t);
+    const VF p01 = hn::MulAdd(c(0.360801727f), t, c(0.5f)), p23 = hn::MulAdd(c(0.0290577225f), t, c(-0.090225026f));
+    const VF p45 = hn::MulAdd(c(0.00635830406f), t, c(-0.0108298585f));
+    const VF p456 = hn::MulAdd(c(-0.00269431947f), t2, p45);
+    return hn::MulAdd(hn::MulAdd(p456, t2, p23), t2, p01);
 }
 
 /// Queues a vector of lookups at entries `at` and on, weights apart. Any direction, NaN included, stays within the stack.
-HWY_INLINE void queue_taps(const CubeStack::Layout& stack, int level_count, float distortion, const V3& w, VF level, size_t at,
+HWY_INLINE void queue_taps(const CubeStack::Layout& stack, float distortion, const V3& w, VF level, size_t at,
                            TapQueue& queue) {
     const Lanes d;
     const IntLanes di;
@@ -99,12 +112,13 @@ HWY_INLINE void queue_taps(const CubeStack::Layout& stack, int level_count, floa
     const VF x = hn::Mul(right, scale), y = hn::Mul(up, scale);  // from the face's centre, within +-1/2
 
     const VF distorted = hn::MulAdd(hn::Set(d, distortion), distortion_of(hn::MulAdd(x, x, hn::Mul(y, y))), level);
-    const VF at_level = clamped(distorted, hn::Set(d, static_cast<float>(level_count - 1)));
-    const VI k = hn::ConvertTo(di, at_level);
-    const VF coarser = hn::Sub(at_level, hn::ConvertTo(d, k)), finer = hn::Sub(one, coarser);
+    const VF at_level = clamped(distorted, hn::Set(d, stack.last_level));
+    const Whole k = nearest(hn::Sub(at_level, half));
+    const VF coarser = hn::Sub(at_level, k.value), finer = hn::Sub(one, coarser);
 
     const VF px = clamped(hn::Add(half, x), one), py = clamped(hn::Sub(half, y), one);
-    const Place fine = place(stack, k, face, px, py), coarse = place(stack, hn::Add(k, hn::Set(di, 1)), face, px, py);
+    const Place fine = place(stack, k.index, face, px, py),
+                coarse = place(stack, hn::Add(k.index, hn::Set(di, 1)), face, px, py);
     hn::StoreU(fine.texel, di, queue.fine + at), hn::StoreU(fine.below, di, queue.fine_below + at);
     hn::StoreU(coarse.texel, di, queue.coarse + at), hn::StoreU(coarse.below, di, queue.coarse_below + at);
     hn::StoreU(fine.y, d, queue.fine_y + at), hn::StoreU(coarse.y, d, queue.coarse_y + at);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kAnchorCosine = 0.5f;    // paths start at 60 degrees: the lobe is long enough there to tell the taps apart
 constexpr float kGrazingCosine = 0.01f;  // lower views take the half vectors of this one
-constexpr int kFitEvery = 4;             // azimuths and widths that are fitted; those between are interpolated
+constexpr int kFitEvery[] = {4, 8, 4};   // views, azimuths and widths that are fitted; those between are interpolated
 
 using Path = std::vector<GaussianTaps>;  // along the view axis, at one azimuth and one width
 
@@ -24,12 +24,6 @@ GaussianTaps blend(const GaussianTaps& a, const GaussianTaps& b, float part) {
     return taps;
 }
 
-Path blend(const Path& a, const Path& b, float part) {
-    Path path;
-    for (size_t view = 0; view < a.size(); ++view) path.push_back(blend(a[view], b[view], part));
-    return path;
-}
-
 /// The same taps for a lobe of other widths.
 GaussianTaps scaled(GaussianTaps taps, const LobeParameters& from, const LobeParameters& to) {
     const float x = to.mx / from.mx, y = to.my / from.my;
@@ -37,47 +31,87 @@ GaussianTaps scaled(GaussianTaps taps, const LobeParameters& from, const LobePar
     return taps;
 }
 
-/// Fits of one lobe at the nodes of a table.
-class TableFit {
+/// The fitted nodes of one axis: every few, and the last.
+class FittedNodes {
 public:
-    TableFit(const LobeParameters& lobe, const TapTable& table) : m_lobe(lobe), m_table(table) {
-        m_lobe.strength = 1, m_lobe.tint = Color3f(1), m_lobe.rotation = 0, m_lobe.per_pixel = {};
-        while (m_anchor + 1 < axis(0).count && view(node(m_anchor, 0, 0)).z > kAnchorCosine) ++m_anchor;
+    FittedNodes(const TapTable::Axis& axis, int every)
+        : m_last(axis.count - 1), m_every(every), m_count((axis.count - 2 + every) / every + 1), m_stride(axis.stride) {}
+
+    int count() const { return m_count; }
+    int stride_of(int fit) const { return place(fit) * m_stride; }
+    /// Fit below a node of the axis, and how far on the way to the next one the node lies.
+    int below(int node) const { return std::min(node / m_every, std::max(m_count - 2, 0)); }
+    float part(int node) const {
+        const int low = place(below(node)), high = place(below(node) + 1);
+        return high > low ? static_cast<float>(node - low) / static_cast<float>(high - low) : 0.0f;
     }
 
-    /// Every fitted azimuth and width, azimuths first. Anchors one after the other, each starting from the one before, so
-    /// that taps keep their order over the whole table; then the paths from their anchors.
-    std::vector<Path> fit() const {
+private:
+    int place(int fit) const { return std::min(fit * m_every, m_last); }
+    int m_last, m_every, m_count, m_stride;
+};
+
+/// Fits of one lobe at some nodes of a table, taps between them by interpolation.
+class TableFit {
+public:
+    TableFit(const LobeParameters& lobe, const TapTable& table)
+        : m_lobe(lobe),
+          m_table(table),
+          m_views(table.axes()[0], kFitEvery[0]),
+          m_azimuths(table.axes()[1], kFitEvery[1]),
+          m_widths(table.axes()[2], kFitEvery[2]) {
+        m_lobe.strength = 1, m_lobe.tint = Color3f(1), m_lobe.rotation = 0, m_lobe.per_pixel = {};
+        while (m_anchor + 1 < m_views.count() && view(m_views.stride_of(m_anchor)).z > kAnchorCosine) ++m_anchor;
+        const std::vector<GaussianTaps> anchors = fit_anchors();
+        m_paths.resize(anchors.size());
+        for_each_index(path_count(), [&](int path) {
+            std::vector<Vec3f> views;
+            for (int i = 0; i < m_views.count(); ++i) views.push_back(view(first_node(path) + m_views.stride_of(i)));
+            const auto p = static_cast<size_t>(path);
+            m_paths[p] = fit_path(lobe_at(path), views, in_plane(), static_cast<size_t>(m_anchor), anchors[p]);
+        });
+    }
+
+    /// Taps at a node, given by its place on the three axes.
+    GaussianTaps at(int v, int a, int w) const {
+        const auto along_view = [&](int path) {
+            const Path& p = m_paths[static_cast<size_t>(path)];
+            const auto low = static_cast<size_t>(m_views.below(v));
+            return blend(p[low], p[std::min(low + 1, p.size() - 1)], m_views.part(v));
+        };
+        const auto along_azimuth = [&](int width) {
+            const int low = width * m_azimuths.count() + m_azimuths.below(a);
+            const float part = m_azimuths.part(a);
+            return part > 0 ? blend(along_view(low), along_view(low + 1), part) : along_view(low);
+        };
+        const int low = m_widths.below(w);
+        const float part = m_widths.part(w);
+        return part > 0 ? blend(along_azimuth(low), along_azimuth(low + 1), part) : along_azimuth(low);
+    }
+
+private:
+    int path_count() const { return m_azimuths.count() * m_widths.count(); }  // azimuths first
+    bool in_plane() const { return m_azimuths.count() == 1; }
+    int first_node(int path) const {
+        return m_azimuths.stride_of(path % m_azimuths.count()) + m_widths.stride_of(path / m_azimuths.count());
+    }
+
+    /// One after the other, each starting from the one before, so that taps keep their order over the whole table.
+    std::vector<GaussianTaps> fit_anchors() const {
         std::vector<GaussianTaps> anchors;
         for (int path = 0; path < path_count(); ++path) {
             const LobeParameters lobe = lobe_at(path);
+            const int narrower = path - m_azimuths.count();
             GaussianTaps near;
-            if (path % azimuths() > 0)
+            if (path % m_azimuths.count() > 0)
                 near = anchors.back();
-            else if (path > 0)
-                near = scaled(anchors[static_cast<size_t>(path - azimuths())], lobe_at(path - azimuths()), lobe);
-            const Vec3f wo = view(first_node(path) + m_anchor * axis(0).stride);
+            else if (narrower >= 0)
+                near = scaled(anchors[static_cast<size_t>(narrower)], lobe_at(narrower), lobe);
+            const Vec3f wo = view(first_node(path) + m_views.stride_of(m_anchor));
             anchors.push_back(fit_view(lobe, wo, in_plane(), m_table.tap_count(), near));
         }
-        std::vector<Path> paths(anchors.size());
-        for_each_index(path_count(), [&](int path) {
-            std::vector<Vec3f> views;
-            for (int i = 0; i < axis(0).count; ++i) views.push_back(view(first_node(path) + i * axis(0).stride));
-            const auto p = static_cast<size_t>(path);
-            paths[p] = fit_path(lobe_at(path), views, in_plane(), static_cast<size_t>(m_anchor), anchors[p]);
-        });
-        return paths;
+        return anchors;
     }
-
-    int azimuths() const { return fitted(1); }
-
-private:
-    const TapTable::Axis& axis(int a) const { return m_table.axes()[static_cast<size_t>(a)]; }
-    int fitted(int a) const { return (axis(a).count - 1) / kFitEvery + 1; }
-    int path_count() const { return fitted(1) * fitted(2); }
-    bool in_plane() const { return axis(1).count == 1; }
-    int node(int i, int j, int k) const { return i * axis(0).stride + j * axis(1).stride + k * axis(2).stride; }
-    int first_node(int path) const { return node(0, path % azimuths() * kFitEvery, path / azimuths() * kFitEvery); }
 
     LobeParameters lobe_at(int path) const {
         const ShadingPoint point = m_table.node_point(first_node(path));
@@ -94,7 +128,9 @@ private:
 
     LobeParameters m_lobe;
     const TapTable& m_table;
+    FittedNodes m_views, m_azimuths, m_widths;
     int m_anchor = 0;
+    std::vector<Path> m_paths;
 };
 
 }  // namespace
@@ -102,28 +138,16 @@ private:
 TapTable fitted_table(const LobeParameters& lobe, int taps, const GaussianStack& light) {
     TapTable table(lobe, taps);
     const TableFit fit(lobe, table);
-    const std::vector<Path> paths = fit.fit();
     const auto& [views, azimuths, widths] = table.axes();
-    const auto path_at = [&](int azimuth, int width) -> const Path& {
-        return paths[static_cast<size_t>(width * fit.azimuths() + azimuth)];
-    };
-    const auto between = [](int index, const auto& at) {
-        const int low = index / kFitEvery, rest = index % kFitEvery;
-        return rest == 0 ? at(low) : blend(at(low), at(low + 1), static_cast<float>(rest) / kFitEvery);
-    };
-    for_each_index(azimuths.count * widths.count, [&](int index) {
-        const int azimuth = index % azimuths.count, width = index / azimuths.count;
-        const Path path = between(width, [&](int w) { return between(azimuth, [&](int a) -> Path { return path_at(a, w); }); });
-        for (int view = 0; view < views.count; ++view) {
-            const int node = view * views.stride + azimuth * azimuths.stride + width * widths.stride;
-            std::vector<Tap> lookups;
-            for (const GaussianTap& tap : path[static_cast<size_t>(view)]) {
-                Vec3f wi = tap_direction(table.node_point(node).wo, tap.sx, tap.sy);
-                wi.z *= table.side_sign();
-                lookups.push_back({wi, light.level(std::exp(tap.log_sigma)), tap.weight});
-            }
-            table.set(node, lookups);
+    for_each_index(table.node_count(), [&](int node) {
+        std::vector<Tap> lookups;
+        const int view = node % views.count, azimuth = node / azimuths.stride % azimuths.count, width = node / widths.stride;
+        for (const GaussianTap& tap : fit.at(view, azimuth, width)) {
+            Vec3f wi = tap_direction(table.node_point(node).wo, tap.sx, tap.sy);
+            wi.z *= table.side_sign();
+            lookups.push_back({wi, light.level(std::exp(tap.log_sigma)), tap.weight});
         }
+        table.set(node, lookups);
     });
     return table;
 }

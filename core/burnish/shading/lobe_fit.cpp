@@ -22,8 +22,10 @@ GaussianTaps fit_view(const LobeParameters& lobe, const Vec3f& wo, bool in_plane
         const float residual = fit_gaussians(quadrature, wo, in_plane, kFirstSteps, start);
         if (best.empty() || residual < best_residual) best = std::move(start), best_residual = residual;
     };
-    for (const Start& start : kStarts) attempt(line_probes(wo, lobe.mx, lobe.my, taps, start.reach, start.spread));
-    if (!near.empty()) attempt(near);
+    if (!near.empty())
+        attempt(near);
+    else
+        for (const Start& start : kStarts) attempt(line_probes(wo, lobe.mx, lobe.my, taps, start.reach, start.spread));
     return best;
 }
 

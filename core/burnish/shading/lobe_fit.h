@@ -11,7 +11,7 @@ namespace burnish {
 
 using GaussianTaps = std::vector<GaussianTap>;
 
-/// The best of a few starts (line_probes of several lengths, and `near` when it is not empty), for the lobe with its own mx, my.
+/// The fit from one view, from `near` if that is not empty, else the best of a few starts (line_probes of several lengths).
 /// in_plane: lobe and view are symmetric about y = 0.
 GaussianTaps fit_view(const LobeParameters& lobe, const Vec3f& wo, bool in_plane, int taps, const GaussianTaps& near);
 

@@ -132,7 +132,9 @@ HWY_INLINE void prepare_pixels(const TableShading& shading, const SurfaceBatch& 
     store({x, y, z}, at, block.wo_local);
 
     const VF cos_o = clamped(z, constant(1)), one = constant(1);
-    const VF a = hn::Div(y, hn::Max(hn::Add(hn::Abs(x), hn::Abs(y)), constant(1e-30f)));
+    const VF stretched_x = hn::Mul(x, constant(table.azimuth_stretch()));
+    const VF stretched_y = hn::Mul(y, constant(1 / table.azimuth_stretch()));
+    const VF a = hn::Div(stretched_y, hn::Max(hn::Add(hn::Abs(stretched_x), hn::Abs(stretched_y)), constant(1e-30f)));
     const bool rough = shading.lobe.per_pixel.roughness && !batch.roughness.empty();
     find_corners(table,
                  {hn::Sub(hn::Sqrt(hn::Sub(one, cos_o)), hn::Sqrt(cos_o)),

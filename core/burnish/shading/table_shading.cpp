@@ -38,8 +38,7 @@ HWY_INLINE void queue_pixel(const TableShading& shading, const PixelBlock& block
         const auto weight = [&](TapTable::Field f) { return hn::IfThenElseZero(seen, field[f]); };
         hn::StoreInterleaved4(weight(TapTable::weight_r), weight(TapTable::weight_g), weight(TapTable::weight_b), hn::Zero(d),
                               d, queue.weight[at]);
-        queue_taps(shading.stack.layout(), shading.stack.level_count(), shading.distortion, wi, field[TapTable::level], at,
-                   queue);
+        queue_taps(shading.stack.layout(), shading.distortion, wi, field[TapTable::level], at, queue);
     }
 }
 

@@ -69,8 +69,9 @@ ShadingPoint TapTable::node_point(int node) const {
     };
     constexpr float kLeastSine = 1e-4f;  // the view along the normal still has an azimuth: taps may turn with it
     const float cos_o = view_cosine(measure(0)), sin_o = std::max(std::sqrt(std::max(0.0f, 1 - cos_o * cos_o)), kLeastSine);
-    const float a = measure(1), y = a > 1 ? 2 - a : a, x = std::copysign(1 - std::abs(y), 1 - a),
-                m = m_axes[2].count > 1 ? measure(2) * measure(2) : m_width;
+    const float a = measure(1), stretched_y = a > 1 ? 2 - a : a, stretched_x = std::copysign(1 - std::abs(stretched_y), 1 - a);
+    const float x = stretched_x / azimuth_stretch(), y = stretched_y * azimuth_stretch();
+    const float m = m_axes[2].count > 1 ? measure(2) * measure(2) : m_width;
     ShadingPoint point;
     point.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     point.wo = Vec3f(sin_o * x / std::hypot(x, y), sin_o * y / std::hypot(x, y), cos_o);
@@ -98,7 +99,7 @@ void TapTable::set(int node, std::span<const Tap> taps) {
 }
 
 float TapTable::measure(int axis, const ShadingPoint& point) const {
-    const float x = point.wo.x, y = point.wo.y;
+    const float x = point.wo.x * azimuth_stretch(), y = point.wo.y / azimuth_stretch();
     switch (axis) {
         case 0: return view_measure(std::clamp(point.wo.z, 0.0f, 1.0f));
         case 1: {

@@ -3,8 +3,8 @@
 // For a lobe of uniform anisotropy the taps depend on the view alone, and on the width where that comes from a layer. Axes:
 //
 //     view     sqrt(1 - cos_o) - sqrt(cos_o): fine near the normal, where taps move, and at the horizon, where weights do
-//     azimuth  of anisotropic lobes: a = y / (|x| + |y|) of wo, 2 - a where x < 0; all round, as patterns need not be
-//              symmetric and a frame mirrored by the sign of a vanishing x would make noise
+//     azimuth  of anisotropic lobes: a = y / (|x| + |y|), 2 - a where x < 0, of wo half way to the space where the lobe is
+//              round; all round, as patterns need not be symmetric and mirroring by the sign of a vanishing x makes noise
 //     width    sqrt(m), the artist's roughness
 //
 // Directions are kept as half vectors: they move little with the view, not at all for `regular`, and the pixel's own wo
@@ -61,6 +61,8 @@ public:
     const std::array<Axis, kAxes>& axes() const { return m_axes; }
     /// The lobe's own width, sqrt(mx my).
     float width() const { return m_width; }
+    /// Of the azimuth's measure: x is multiplied by it, y divided.
+    float azimuth_stretch() const { return std::sqrt(m_half_aspect); }
     float side_sign() const { return m_side_sign; }
 
 private:

@@ -1,14 +1,16 @@
 // The SIMD lookup against CubeStack::lookup, for every instruction set this processor has.
+#include "core/simd_targets.h"
+
 #include <burnish/base/error.h>
 #include <burnish/light/stack_lookup.h>
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <limits>
 #include <random>
 
 using namespace burnish;
+using burnish_test::for_each_target;
 
 namespace {
 
@@ -45,19 +47,6 @@ std::vector<Vec3f> directions() {
             for (const float z : {-1, 0, 1})
                 if (x != 0 || y != 0 || z != 0) all.push_back({x, y, z});
     return all;
-}
-
-/// Calls `check` under every instruction set alone.
-template <class Check>
-void for_each_target(const Check& check) {
-    for (int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
-        hwy::SetSupportedTargetsForTest(rest & -rest);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        SCOPED_TRACE(hwy::TargetName(rest & -rest));
-        check();
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
 }
 
 Color3f simd_lookup(const CubeStack& stack, const Vec3f& d, float level, float distortion) {
