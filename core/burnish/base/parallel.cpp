@@ -7,6 +7,17 @@
 #include <mutex>
 
 namespace burnish {
+namespace {
+
+/// A loop ends by its own exceptions only. Those of work around it would cancel it half way, and whoever called it would take
+/// what it leaves for whole.
+template <class Work>
+void loop(int count, const Work& work) {
+    tbb::task_group_context alone(tbb::task_group_context::isolated);
+    tbb::parallel_for(0, count, work, alone);
+}
+
+}  // namespace
 
 void for_each_tile(int width, int height, const Progress& progress, const std::string& stage,
                    const std::function<void(const Window& tile)>& work) {
@@ -15,7 +26,7 @@ void for_each_tile(int width, int height, const Progress& progress, const std::s
     std::mutex reporting;
     int done = 0;
     progress.report(stage, 0.0f);
-    tbb::parallel_for(0, count, [&](int index) {
+    loop(count, [&](int index) {
         const int x = index % columns * kTileSize, y = index / columns * kTileSize;
         work({x, y, std::min(kTileSize, width - x), std::min(kTileSize, height - y)});
         const std::lock_guard lock(reporting);
@@ -23,7 +34,7 @@ void for_each_tile(int width, int height, const Progress& progress, const std::s
     });
 }
 
-void for_each_index(int count, const std::function<void(int)>& work) { tbb::parallel_for(0, count, work); }
+void for_each_index(int count, const std::function<void(int)>& work) { loop(count, work); }
 
 ThreadLimit::ThreadLimit(int threads) {
     using Control = tbb::global_control;

@@ -16,6 +16,8 @@ Vec3f vec3(const Image& image, size_t pixel) {
     return {v[0], v[1], v[2]};
 }
 
+void set(Vec3Planes& planes, size_t i, const Vec3f& v) { planes.x[i] = v.x, planes.y[i] = v.y, planes.z[i] = v.z; }
+
 TangentSource resolve(TangentSource wanted, const AovFrame& frame) {
     if (wanted != TangentSource::automatic) return wanted;
     if (frame.has(Role::tangent)) return TangentSource::layer;
@@ -30,12 +32,20 @@ std::string_view validity_name(Validity validity) {
     return names[static_cast<size_t>(validity)];
 }
 
+Surfaces::Layers::Layers(const AovFrame& frame)
+    : position(&frame.layer(Role::position)),
+      normal(&frame.layer(Role::normal)),
+      geometric_normal(frame.find(Role::geometric_normal)),
+      depth(frame.find(Role::depth)),
+      tangent(frame.find(Role::tangent)),
+      roughness(frame.find(Role::roughness)),
+      anisotropy(frame.find(Role::anisotropy)),
+      rotation(frame.find(Role::rotation)),
+      tint(frame.find(Role::tint)),
+      weight(frame.find(Role::weight)) {}
+
 Surfaces::Surfaces(const AovFrame& frame, const Assignment& assignment, const SurfaceSettings& settings)
-    : m_frame(frame),
-      m_assignment(assignment),
-      m_settings(settings),
-      m_position(&frame.layer(Role::position)),
-      m_normal(&frame.layer(Role::normal)) {
+    : m_frame(frame), m_assignment(assignment), m_settings(settings), m_layers(frame) {
     if (!frame.camera)
         throw Error(ErrorCode::missing_channel, frame.label() +
                                                     ": no camera, and none could be recovered from the position layer. "
@@ -44,18 +54,27 @@ Surfaces::Surfaces(const AovFrame& frame, const Assignment& assignment, const Su
     m_settings.tangent = resolve(settings.tangent, frame);
     if (m_settings.tangent == TangentSource::layer) frame.layer(Role::tangent);
     if (m_settings.tangent == TangentSource::uv) frame.layer(Role::uv);
-    m_validity.resize(m_position->pixel_count());
-    for_each_index(m_position->height, [&](int y) {
-        const size_t row = static_cast<size_t>(y) * m_position->width;
-        for (size_t pixel = row; pixel < row + m_position->width; ++pixel) m_validity[pixel] = classify(pixel);
+    classify_rows();
+}
+
+void Surfaces::classify_rows() {
+    const int width = m_layers.position->width, height = m_layers.position->height;
+    m_validity.resize(m_layers.position->pixel_count(), Validity::unassigned);
+    std::vector<Counts> counts(static_cast<size_t>(height));
+    for_each_index(height - m_frame.margin_above - m_frame.margin_below, [&](int index) {
+        const int y = index + m_frame.margin_above;
+        const size_t row = static_cast<size_t>(y) * width;
+        Counts& count = counts[static_cast<size_t>(y)];
+        for (size_t pixel = row; pixel < row + width; ++pixel)
+            ++count[static_cast<size_t>(m_validity[pixel] = classify(pixel))];
     });
-    for (const Validity validity : m_validity) ++m_counts[static_cast<size_t>(validity)];
+    for (const Counts& row : counts)
+        for (size_t i = 0; i < row.size(); ++i) m_counts[i] += row[i];
 }
 
 Validity Surfaces::classify(size_t pixel) const {
-    const Vec3f p = vec3(*m_position, pixel), n = vec3(*m_normal, pixel);
-    const Image* depth = m_frame.find(Role::depth);
-    if (p == Vec3f(0, 0, 0) || (depth && !(*depth->at(pixel) < kMiss))) return Validity::background;
+    const Vec3f p = vec3(*m_layers.position, pixel), n = vec3(*m_layers.normal, pixel);
+    if (p == Vec3f(0, 0, 0) || (m_layers.depth && !(*m_layers.depth->at(pixel) < kMiss))) return Validity::background;
     if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kMiss) return Validity::background;
     if (!is_finite(p) || !is_finite(n)) return Validity::not_finite;
     const float length = n.length();
@@ -67,47 +86,60 @@ Validity Surfaces::classify(size_t pixel) const {
 
 Vec3f Surfaces::tangent(const Vec3f& n, size_t pixel) const {
     Vec3f hint = m_settings.tangent_axis.cross(n);
-    if (m_settings.tangent == TangentSource::layer) hint = vec3(m_frame.layers.at(Role::tangent), pixel);
+    if (m_settings.tangent == TangentSource::layer) hint = vec3(*m_layers.tangent, pixel);
     if (m_settings.tangent == TangentSource::uv) hint = uv_tangent(m_frame, pixel).value_or(hint);
     return Frame::along(n, is_finite(hint) ? hint : Vec3f(0, 0, 0)).t;
 }
 
-void Surfaces::append(size_t pixel, SurfaceBatch& batch) const {
-    const Vec3f p = vec3(*m_position, pixel), n = vec3(*m_normal, pixel).normalized();
-    const Vec3f wo = (m_eye - p).normalized();
-    Vec3f ng = n;
-    if (const Image* layer = m_frame.find(Role::geometric_normal)) {
-        const Vec3f given = vec3(*layer, pixel);
-        if (is_finite(given) && given.length2() > 1e-6f && given.dot(wo) > 0) ng = given.normalized();
+void Surfaces::fill_geometry(SurfaceBatch& batch) const {
+    const size_t count = batch.size();
+    for (Vec3Planes* planes : {&batch.p, &batch.n, &batch.ng, &batch.t, &batch.wo})
+        planes->x.resize(count), planes->y.resize(count), planes->z.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        const size_t pixel = batch.pixel[i];
+        const Vec3f p = vec3(*m_layers.position, pixel), n = vec3(*m_layers.normal, pixel).normalized();
+        const Vec3f wo = (m_eye - p).normalized();
+        Vec3f ng = n;
+        if (m_layers.geometric_normal) {
+            const Vec3f given = vec3(*m_layers.geometric_normal, pixel);
+            if (is_finite(given) && given.length2() > 1e-6f && given.dot(wo) > 0) ng = given.normalized();
+        }
+        set(batch.p, i, p), set(batch.n, i, n), set(batch.ng, i, ng), set(batch.wo, i, wo);
+        set(batch.t, i, tangent(n, pixel));
     }
-    batch.pixel.push_back(static_cast<uint32_t>(pixel));
-    batch.p.push_back(p), batch.n.push_back(n), batch.ng.push_back(ng);
-    batch.t.push_back(tangent(n, pixel)), batch.wo.push_back(wo);
+}
 
-    const auto scalar = [&](Role role, float low, float high, std::vector<float>& plane, auto&& convert) {
-        if (const Image* layer = m_frame.find(role)) {
-            const float value = *layer->at(pixel);
+void Surfaces::fill_parameters(SurfaceBatch& batch) const {
+    const auto scalar = [&](const Image* layer, float low, float high, std::vector<float>& plane, auto&& convert) {
+        if (!layer) return;
+        plane.reserve(batch.size());
+        for (const uint32_t pixel : batch.pixel) {
+            const float value = *layer->at(static_cast<size_t>(pixel));
             plane.push_back(convert(std::isfinite(value) ? std::clamp(value, low, high) : low));
         }
     };
     const bool is_alpha = m_settings.roughness_is_alpha;
-    scalar(Role::roughness, 0, 1, batch.roughness, [&](float r) { return std::max(is_alpha ? r : r * r, kMinWidth); });
-    scalar(Role::anisotropy, -1, 1, batch.anisotropy, [](float a) { return a; });
-    scalar(Role::rotation, -1e3f, 1e3f, batch.rotation, [](float turns) { return 2 * kPi * turns; });
-    scalar(Role::weight, 0, 1e3f, batch.weight, [](float w) { return w; });
-    if (const Image* layer = m_frame.find(Role::tint)) {
-        const Vec3f tint = vec3(*layer, pixel);
+    scalar(m_layers.roughness, 0, 1, batch.roughness, [&](float r) { return std::max(is_alpha ? r : r * r, kMinWidth); });
+    scalar(m_layers.anisotropy, -1, 1, batch.anisotropy, [](float a) { return a; });
+    scalar(m_layers.rotation, -1e3f, 1e3f, batch.rotation, [](float turns) { return 2 * kPi * turns; });
+    scalar(m_layers.weight, 0, 1e3f, batch.weight, [](float w) { return w; });
+    if (!m_layers.tint) return;
+    for (const uint32_t pixel : batch.pixel) {
+        const Vec3f tint = vec3(*m_layers.tint, pixel);
         batch.tint.push_back(is_finite(tint) ? tint : Vec3f(0, 0, 0));
     }
 }
 
 void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch) const {
     batch.clear();
-    for (int y = tile.y; y < tile.y + tile.height; ++y)
-        for (int x = tile.x; x < tile.x + tile.width; ++x) {
-            const size_t pixel = static_cast<size_t>(y) * m_position->width + x;
-            if (m_validity[pixel] == Validity::valid && m_assignment.rule[pixel] == rule) append(pixel, batch);
-        }
+    for (int y = tile.y; y < tile.y + tile.height; ++y) {
+        const size_t row = static_cast<size_t>(y) * m_layers.position->width + tile.x;
+        for (size_t pixel = row; pixel < row + tile.width; ++pixel)
+            if (m_validity[pixel] == Validity::valid && m_assignment.rule[pixel] == rule)
+                batch.pixel.push_back(static_cast<uint32_t>(pixel));
+    }
+    fill_geometry(batch);
+    fill_parameters(batch);
 }
 
 }  // namespace burnish
