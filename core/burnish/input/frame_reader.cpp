@@ -102,9 +102,10 @@ FrameReader::FrameReader(const std::string& file, const ReadOptions& options, si
 void FrameReader::plan_bands(size_t band_pixels) {
     const Window& window = m_frame.data_window;
     const int block = block_rows(m_file, m_slots);
-    const size_t blocks = band_pixels / (static_cast<size_t>(window.width) * block), rows = std::max(window.height, block);
-    m_band_rows = static_cast<int>(std::clamp<size_t>(blocks * block, block, rows));
-    m_band_count = std::max((window.height + m_band_rows - 1) / m_band_rows, 1);
+    const size_t width = static_cast<size_t>(window.width), height = static_cast<size_t>(window.height);
+    const size_t blocks = std::clamp<size_t>(band_pixels / (width * block), 1, height / block + 1);
+    m_band_rows = width * height <= band_pixels ? std::max(window.height, 1) : static_cast<int>(blocks) * block;
+    m_band_count = (window.height + m_band_rows - 1) / m_band_rows;
 }
 
 void FrameReader::judge(const ReadOptions& options) {

@@ -22,7 +22,8 @@ struct RowStrips {
     static RowStrips spread(const Window& window, int block, size_t pixels) {
         const int strips = std::max(static_cast<int>(pixels / (static_cast<size_t>(window.width) * block)), 1);
         RowStrips spread(window);
-        if (static_cast<long long>(strips) * block >= window.height) return spread;
+        const size_t all = static_cast<size_t>(window.width) * window.height;
+        if (all <= pixels || static_cast<long long>(strips) * block >= window.height) return spread;
         spread.height = block, spread.pitch = window.height / strips / block * block, spread.rows = strips * block;
         spread.first = (window.height - (strips - 1) * spread.pitch - block) / 2 / block * block;
         return spread;

@@ -55,7 +55,8 @@ void read_slots(const ExrFile& file, const std::vector<const Slot*>& slots, cons
 }
 
 void decode_slot(Slot& slot, AovFrame& frame) {
-    slot.scrubbed += decode_layer(slot.role, slot.candidates.front(), slot.is_encoded, frame.layers.at(slot.role));
+    slot.scrubbed += decode_layer(slot.role, slot.candidates.front(), slot.is_encoded, frame.layers.at(slot.role),
+                                  frame.margin_above, frame.margin_below);
 }
 
 }  // namespace burnish

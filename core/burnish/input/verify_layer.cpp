@@ -50,11 +50,11 @@ Verdict verify_layer(Role role, const Candidate& candidate, const Image& image) 
     return is_judged(role) ? verify_vectors(image) : Verdict{};
 }
 
-size_t decode_layer(Role role, const Candidate& candidate, bool is_encoded, Image& image) {
+size_t decode_layer(Role role, const Candidate& candidate, bool is_encoded, Image& image, int above, int below) {
     if (is_encoded) decode_vectors(image);
     if (candidate.is_inverted)
         for (float& value : image.data) value = 1.0f - value;
-    return role_info(role).is_color ? scrub(image) : 0;
+    return role_info(role).is_color ? scrub(image, above, below) : 0;
 }
 
 }  // namespace burnish

@@ -23,7 +23,8 @@ bool is_judged(Role role);
 Verdict verify_layer(Role role, const Candidate& candidate, const Image& image);
 
 /// Brings a layer to its role's form: encoded vectors are decoded, glossiness becomes roughness, NaN and infinity in colour
-/// become 0. Data layers keep theirs: the surface stage masks those pixels. Returns how many pixels of colour were set to 0.
-size_t decode_layer(Role role, const Candidate& candidate, bool is_encoded, Image& image);
+/// become 0. Data layers keep theirs: the surface stage masks those pixels. Returns how many pixels of colour were set to 0, but
+/// for `above` rows at the top and `below` rows at the bottom.
+size_t decode_layer(Role role, const Candidate& candidate, bool is_encoded, Image& image, int above, int below);
 
 }  // namespace burnish
