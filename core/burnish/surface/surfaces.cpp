@@ -18,6 +18,44 @@ Vec3f vec3(const Image& image, size_t pixel) {
 
 void set(Vec3Planes& planes, size_t i, const Vec3f& v) { planes.x[i] = v.x, planes.y[i] = v.y, planes.z[i] = v.z; }
 
+void resize(Vec3Planes& planes, size_t count) { planes.x.resize(count), planes.y.resize(count), planes.z.resize(count); }
+
+/// Three channels of a layer at these pixels.
+void copy(const Image& layer, const std::vector<uint32_t>& pixels, Vec3Planes& planes) {
+    resize(planes, pixels.size());
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        const float* v = layer.at(static_cast<size_t>(pixels[i]));
+        planes.x[i] = v[0], planes.y[i] = v[1], planes.z[i] = v[2];
+    }
+}
+
+/// Valid pixels have no zero vectors; the floor keeps those whose square is none finite.
+void normalise(Vec3Planes& planes) {
+    const size_t count = planes.x.size();
+    float *x = planes.x.data(), *y = planes.y.data(), *z = planes.z.data();
+    for (size_t i = 0; i < count; ++i) {
+        const float length = std::sqrt(std::max(x[i] * x[i] + y[i] * y[i] + z[i] * z[i], 1e-37f));
+        x[i] /= length, y[i] /= length, z[i] /= length;
+    }
+}
+
+/// Frame::along for planes: t <- t made perpendicular to n and unit; any tangent of n where they are parallel or t is zero.
+void make_perpendicular(const Vec3Planes& normals, Vec3Planes& tangents) {
+    constexpr float kParallel = 1e-12f;
+    const size_t count = tangents.x.size();
+    const float *nx = normals.x.data(), *ny = normals.y.data(), *nz = normals.z.data();
+    float *x = tangents.x.data(), *y = tangents.y.data(), *z = tangents.z.data();
+    for (size_t i = 0; i < count; ++i) {
+        const float along = x[i] * nx[i] + y[i] * ny[i] + z[i] * nz[i];
+        const float tx = x[i] - nx[i] * along, ty = y[i] - ny[i] * along, tz = z[i] - nz[i] * along;
+        const float square = tx * tx + ty * ty + tz * tz, length = std::sqrt(std::max(square, kParallel));
+        const float is_usable = square > kParallel ? 1.0f : 0.0f;
+        x[i] = is_usable * tx / length, y[i] = is_usable * ty / length, z[i] = is_usable * tz / length;
+    }
+    for (size_t i = 0; i < count; ++i)
+        if (x[i] == 0 && y[i] == 0 && z[i] == 0) set(tangents, i, Frame::around(normals[i]).t);
+}
+
 TangentSource resolve(TangentSource wanted, const AovFrame& frame) {
     if (wanted != TangentSource::automatic) return wanted;
     if (frame.has(Role::tangent)) return TangentSource::layer;
@@ -84,29 +122,41 @@ Validity Surfaces::classify(size_t pixel) const {
     return n.dot(m_eye - p) > 0 ? Validity::valid : Validity::back_facing;
 }
 
-Vec3f Surfaces::tangent(const Vec3f& n, size_t pixel) const {
-    Vec3f hint = m_settings.tangent_axis.cross(n);
-    if (m_settings.tangent == TangentSource::layer) hint = vec3(*m_layers.tangent, pixel);
-    if (m_settings.tangent == TangentSource::uv) hint = uv_tangent(m_frame, pixel).value_or(hint);
-    return Frame::along(n, is_finite(hint) ? hint : Vec3f(0, 0, 0)).t;
+/// The directions tangents follow, from layer, UVs or the axis.
+void Surfaces::fill_hints(SurfaceBatch& batch) const {
+    const size_t count = batch.size();
+    const Vec3f axis = m_settings.tangent_axis;
+    const Vec3Planes& n = batch.n;
+    resize(batch.t, count);
+    for (size_t i = 0; i < count; ++i) batch.t.x[i] = axis.y * n.z[i] - axis.z * n.y[i];
+    for (size_t i = 0; i < count; ++i) batch.t.y[i] = axis.z * n.x[i] - axis.x * n.z[i];
+    for (size_t i = 0; i < count; ++i) batch.t.z[i] = axis.x * n.y[i] - axis.y * n.x[i];
+    if (m_settings.tangent == TangentSource::axis) return;
+    for (size_t i = 0; i < count; ++i) {
+        const bool is_layer = m_settings.tangent == TangentSource::layer;
+        const Vec3f hint =
+            is_layer ? vec3(*m_layers.tangent, batch.pixel[i]) : uv_tangent(m_frame, batch.pixel[i]).value_or(batch.t[i]);
+        set(batch.t, i, is_finite(hint) ? hint : Vec3f(0, 0, 0));
+    }
 }
 
 void Surfaces::fill_geometry(SurfaceBatch& batch) const {
     const size_t count = batch.size();
-    for (Vec3Planes* planes : {&batch.p, &batch.n, &batch.ng, &batch.t, &batch.wo})
-        planes->x.resize(count), planes->y.resize(count), planes->z.resize(count);
-    for (size_t i = 0; i < count; ++i) {
-        const size_t pixel = batch.pixel[i];
-        const Vec3f p = vec3(*m_layers.position, pixel), n = vec3(*m_layers.normal, pixel).normalized();
-        const Vec3f wo = (m_eye - p).normalized();
-        Vec3f ng = n;
-        if (m_layers.geometric_normal) {
-            const Vec3f given = vec3(*m_layers.geometric_normal, pixel);
-            if (is_finite(given) && given.length2() > 1e-6f && given.dot(wo) > 0) ng = given.normalized();
-        }
-        set(batch.p, i, p), set(batch.n, i, n), set(batch.ng, i, ng), set(batch.wo, i, wo);
-        set(batch.t, i, tangent(n, pixel));
+    copy(*m_layers.position, batch.pixel, batch.p);
+    copy(*m_layers.normal, batch.pixel, batch.n);
+    normalise(batch.n);
+    resize(batch.wo, count);
+    for (size_t i = 0; i < count; ++i) batch.wo.x[i] = m_eye.x - batch.p.x[i];
+    for (size_t i = 0; i < count; ++i) batch.wo.y[i] = m_eye.y - batch.p.y[i];
+    for (size_t i = 0; i < count; ++i) batch.wo.z[i] = m_eye.z - batch.p.z[i];
+    normalise(batch.wo);
+    batch.ng = batch.n;
+    for (size_t i = 0; m_layers.geometric_normal && i < count; ++i) {
+        const Vec3f given = vec3(*m_layers.geometric_normal, batch.pixel[i]);
+        if (is_finite(given) && given.length2() > 1e-6f && given.dot(batch.wo[i]) > 0) set(batch.ng, i, given.normalized());
     }
+    fill_hints(batch);
+    make_perpendicular(batch.n, batch.t);
 }
 
 void Surfaces::fill_parameters(SurfaceBatch& batch) const {

@@ -51,7 +51,7 @@ private:
 
     void classify_rows();
     Validity classify(size_t pixel) const;
-    Vec3f tangent(const Vec3f& n, size_t pixel) const;
+    void fill_hints(SurfaceBatch& batch) const;
     void fill_geometry(SurfaceBatch& batch) const;
     void fill_parameters(SurfaceBatch& batch) const;
 
