@@ -2,6 +2,7 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
@@ -9,12 +10,12 @@
 namespace burnish {
 namespace {
 
-/// A loop ends by its own exceptions only. Those of work around it would cancel it half way, and whoever called it would take
-/// what it leaves for whole.
+/// Loops keep to themselves. Exceptions of work around one do not cancel it half way, and whoever called it would take what it
+/// leaves for whole; and a thread that waits for its end takes up none of that work, which could take long.
 template <class Work>
 void loop(int count, const Work& work) {
     tbb::task_group_context alone(tbb::task_group_context::isolated);
-    tbb::parallel_for(0, count, work, alone);
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, count, work, alone); });
 }
 
 }  // namespace

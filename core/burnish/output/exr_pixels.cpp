@@ -12,11 +12,13 @@ namespace {
 constexpr float kLargestHalf = 65504.0f;
 constexpr int kRowsAtOnce = 64;  // four ZIP blocks; keeps the interleaved copy small
 
-void store(float value, OIIO::TypeDesc type, char* to) {
-    if (type == OIIO::TypeHalf) {
-        const Imath::half half(std::clamp(value, -kLargestHalf, kLargestHalf));
-        std::memcpy(to, &half, sizeof half);
-    } else {
+Imath::half to_half(float value) { return Imath::half(std::clamp(value, -kLargestHalf, kLargestHalf)); }
+
+/// One channel of one row: every `stride`-th byte of `to` begins a value.
+template <class Convert>
+void store(const float* from, int step, int width, size_t stride, char* to, const Convert& convert) {
+    for (int x = 0; x < width; ++x, from += step, to += stride) {
+        const auto value = convert(*from);
         std::memcpy(to, &value, sizeof value);
     }
 }
@@ -29,7 +31,10 @@ void interleave(const std::vector<OutputLayer>& layers, const OIIO::ImageSpec& s
         for (int c = 0; c < layer.image->channels; ++c, ++channel) {
             const OIIO::TypeDesc type = spec.channelformat(channel);
             const float* from = layer.image->at(0, row) + c;
-            for (int x = 0; x < spec.width; ++x, from += layer.image->channels) store(*from, type, to + x * stride);
+            if (type == OIIO::TypeHalf)
+                store(from, layer.image->channels, spec.width, stride, to, to_half);
+            else
+                store(from, layer.image->channels, spec.width, stride, to, [](float value) { return value; });
             to += type.size();
         }
 }
