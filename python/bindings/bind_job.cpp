@@ -46,14 +46,14 @@ Assignment masks_from_python(Job& job, const py::dict& arrays) {
     return assign_masks(masks);
 }
 
-py::dict to_python(FrameResult&& result) {
+py::dict to_python(FrameResult&& result, const FrameReport& report) {
     py::dict layers;
     const auto add = [&](const char* name, Image& image) {
         if (!image.empty()) layers[name] = to_array(std::move(image));
     };
     add("beauty", result.composite.beauty), add("overlay", result.composite.overlay), add("diffuse", result.composite.diffuse);
     add("validity", result.validity), add("samples", result.shaded.samples), add("error", result.shaded.standard_error);
-    layers["report"] = from_json(report_to_json(result.report));
+    layers["report"] = from_json(report_to_json(report));
     return layers;
 }
 
@@ -73,17 +73,17 @@ py::dict composite_frame(const py::object& arrays, const py::object& light, cons
                                 : frame_from_layers(std::move(layers), job.camera);
     });
     const auto environment = light_from_python(job, light, frame.renderer);
+    FrameReport report;
     FrameResult result = python_progress.run([&](const Progress& progress) {
         const Look look = prepare_look(job, std::move(wardrobe), environment);
         FrameResult done = run_frame(job, frame, look, assignment ? &*assignment : nullptr, progress);
         ColorFlow(job).to_output(done.composite);
-        const auto add = [&](const auto& lines) {
-            done.report.warnings.insert(done.report.warnings.end(), lines.begin(), lines.end());
-        };
+        report = frame_report(job, frame, look, done.tally);
+        const auto add = [&](const auto& lines) { report.warnings.insert(report.warnings.end(), lines.begin(), lines.end()); };
         add(look.wardrobe.warnings), add(environment->warnings());
         return done;
     });
-    return to_python(std::move(result));
+    return to_python(std::move(result), report);
 }
 
 }  // namespace

@@ -8,6 +8,17 @@
 #include <mutex>
 
 namespace burnish {
+namespace {
+
+/// Loops keep to themselves. Exceptions of work around one do not cancel it half way, and whoever called it would take what it
+/// leaves for whole; and a thread that waits for its end takes up none of that work, which could take long.
+template <class Work>
+void loop(int count, const Work& work) {
+    tbb::task_group_context alone(tbb::task_group_context::isolated);
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, count, work, alone); });
+}
+
+}  // namespace
 
 void for_each_tile(int width, int height, const Progress& progress, const std::string& stage,
                    const std::function<void(const Window& tile)>& work) {
@@ -16,7 +27,7 @@ void for_each_tile(int width, int height, const Progress& progress, const std::s
     std::mutex reporting;
     int done = 0;
     progress.report(stage, 0.0f);
-    tbb::parallel_for(0, count, [&](int index) {
+    loop(count, [&](int index) {
         const int x = index % columns * kTileSize, y = index / columns * kTileSize;
         work({x, y, std::min(kTileSize, width - x), std::min(kTileSize, height - y)});
         const std::lock_guard lock(reporting);
@@ -24,10 +35,7 @@ void for_each_tile(int width, int height, const Progress& progress, const std::s
     });
 }
 
-// Isolated: a thread that waits here inside a std::call_once must not take up outer work that waits for the same.
-void for_each_index(int count, const std::function<void(int)>& work) {
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, count, work); });
-}
+void for_each_index(int count, const std::function<void(int)>& work) { loop(count, work); }
 
 ThreadLimit::ThreadLimit(int threads) {
     using Control = tbb::global_control;

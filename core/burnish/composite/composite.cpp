@@ -1,6 +1,7 @@
 #include <burnish/composite/composite.h>
 
 #include <burnish/base/error.h>
+#include <burnish/base/parallel.h>
 
 #include <cmath>
 
@@ -17,16 +18,25 @@ void store(Image& image, size_t pixel, const Color3f& c) {
     out[0] = c.x, out[1] = c.y, out[2] = c.z;
 }
 
+/// Calls `work(pixel)` for every pixel, rows in parallel.
+template <class Work>
+void for_each_pixel(const Image& image, const Work& work) {
+    const size_t width = static_cast<size_t>(image.width);
+    for_each_index(image.height, [&](int y) {
+        for (size_t pixel = y * width; pixel < (y + 1) * width; ++pixel) work(pixel);
+    });
+}
+
 /// factor * (direct + indirect), absent layers counting as 0 and an absent factor as 1.
 Image modulated_sum(const Image* direct, const Image* indirect, const Image* factor) {
     const Image& first = direct ? *direct : *indirect;
     Image sum(first.width, first.height, 3);
-    for (size_t i = 0; i < sum.pixel_count(); ++i) {
+    for_each_pixel(sum, [&](size_t i) {
         Color3f c(0, 0, 0);
         if (direct) c += color(*direct, i);
         if (indirect) c += color(*indirect, i);
         store(sum, i, factor ? c * color(*factor, i) : c);
-    }
+    });
     return sum;
 }
 
@@ -42,16 +52,15 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
                         ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
                         "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
     Image diffuse = modulated_sum(irradiance, nullptr, albedo);
-    for (size_t i = 0; i < diffuse.pixel_count(); ++i) {
+    for_each_pixel(diffuse, [&](size_t i) {
         const int rule = assignment.rule[i];
         store(diffuse, i, rule < 0 ? Color3f(0, 0, 0) : color(diffuse, i) * kd[rule] / kPi);
-    }
+    });
     return diffuse;
 }
 
 /// What one pixel's overlay is multiplied with: coverage keeps edges premultiplied, the mask is the user's.
-float pixel_weight(const AovFrame& frame, const Assignment& assignment, size_t pixel) {
-    const Image* layer = frame.find(Role::mask);
+float pixel_weight(const Image* layer, const Assignment& assignment, size_t pixel) {
     const float mask = layer ? *layer->at(pixel) : 1.0f;
     return std::isfinite(mask) ? assignment.coverage[pixel] * mask : 0.0f;
 }
@@ -76,7 +85,7 @@ Image rendered_specular(const AovFrame& frame) {
 
 Composite composite(const AovFrame& frame, const Assignment& assignment, const Image& overlay, const Image* old_overlay,
                     const std::vector<Color3f>& kd, const CompositeSettings& settings) {
-    const Image *beauty = frame.find(Role::beauty), *alpha = frame.find(Role::alpha);
+    const Image *beauty = frame.find(Role::beauty), *alpha = frame.find(Role::alpha), *mask = frame.find(Role::mask);
     if (settings.mode != CompositeMode::add) frame.layer(Role::beauty);
     Composite out;
     if (!beauty) out.diffuse = diffuse_part(frame, assignment, kd);
@@ -84,8 +93,8 @@ Composite composite(const AovFrame& frame, const Assignment& assignment, const I
     const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
     out.beauty = Image(overlay.width, overlay.height, 4);
     out.overlay = Image(overlay.width, overlay.height, 3);
-    for (size_t i = 0; i < overlay.pixel_count(); ++i) {
-        const float weight = pixel_weight(frame, assignment, i);
+    for_each_pixel(overlay, [&](size_t i) {
+        const float weight = pixel_weight(mask, assignment, i);
         Color3f added = color(overlay, i);
         if (settings.mode == CompositeMode::difference) added -= color(*old_overlay, i);
         added *= settings.tint * (settings.gain * weight);
@@ -94,7 +103,7 @@ Composite composite(const AovFrame& frame, const Assignment& assignment, const I
         store(out.overlay, i, added);
         store(out.beauty, i, sum);
         out.beauty.at(i)[3] = alpha ? *alpha->at(i) : 1.0f;
-    }
+    });
     return out;
 }
 

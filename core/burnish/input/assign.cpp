@@ -40,8 +40,9 @@ NamedObjects find_objects(const std::vector<Cryptomatte>& cryptomattes, const st
 
 [[noreturn]] void fail_missing(const AovFrame& frame, const AssignRule& rule, size_t index, const std::string& what,
                                const std::string& remedy) {
-    throw Error(ErrorCode::missing_channel, frame.label() + ": assign[" + std::to_string(index) + "] (material " + rule.material +
-                                                ") needs " + what + ", which the frame does not have; " + remedy);
+    throw Error(ErrorCode::missing_channel, frame.label() + ": assign[" + std::to_string(index) + "] (material " +
+                                                rule.material + ") needs " + what + ", which the frame does not have; " +
+                                                remedy);
 }
 
 const Image& index_layer(const AovFrame& frame, Role role, const AssignRule& rule, size_t index) {
@@ -50,25 +51,6 @@ const Image& index_layer(const AovFrame& frame, Role role, const AssignRule& rul
     fail_missing(frame, rule, index, object ? "an object index layer" : "a material index layer",
                  std::string("render one (") + (object ? "IndexOB" : "IndexMA") + " in Blender), name it with --channel " +
                      (object ? "object_id" : "material_id") + "=LAYER, or select by cryptomatte");
-}
-
-bool is_index(const Image& layer, size_t pixel, int wanted) {
-    return std::fabs(*layer.at(pixel) - static_cast<float>(wanted)) < 0.5f;
-}
-
-/// Share of each pixel that a rule selects on its own.
-Image selected_share(const AovFrame& frame, const AssignRule& rule, size_t index, const NamedObjects& objects) {
-    Image share = objects.cryptomatte ? cryptomatte_coverage(*objects.cryptomatte, objects.ids)
-                                      : Image(frame.data_window.width, frame.data_window.height, 1, 1.0f);
-    const auto keep = [&](Role role, const std::optional<int>& wanted) {
-        if (!wanted) return;
-        const Image& layer = index_layer(frame, role, rule, index);
-        for (size_t i = 0; i < share.pixel_count(); ++i)
-            if (!is_index(layer, i, *wanted)) *share.at(i) = 0;
-    };
-    keep(Role::object_id, rule.object_index);
-    keep(Role::material_id, rule.material_index);
-    return share;
 }
 
 /// The objects each rule keeps: those that no later rule takes whole.
@@ -91,26 +73,58 @@ std::vector<NamedObjects> objects_of_rules(const AovFrame& frame, const std::vec
     return objects;
 }
 
+/// What one rule selects on its own.
+struct Selector {
+    NamedObjects objects;
+    std::vector<std::pair<const Image*, float>> indices;  // layers, and the index each must show
+
+    float share(size_t pixel) const {
+        for (const auto& [layer, wanted] : indices)
+            if (!(std::fabs(*layer->at(pixel) - wanted) < 0.5f)) return 0;
+        return objects.cryptomatte ? cryptomatte_coverage(*objects.cryptomatte, objects.ids, pixel) : 1.0f;
+    }
+};
+
+std::vector<Selector> selectors_of(const AovFrame& frame, const std::vector<AssignRule>& rules) {
+    std::vector<NamedObjects> objects = objects_of_rules(frame, rules);
+    std::vector<Selector> selectors;
+    for (size_t r = 0; r < rules.size(); ++r) {
+        Selector& selector = selectors.emplace_back(Selector{std::move(objects[r]), {}});
+        const auto add = [&](Role role, const std::optional<int>& wanted) {
+            if (wanted) selector.indices.emplace_back(&index_layer(frame, role, rules[r], r), static_cast<float>(*wanted));
+        };
+        add(Role::object_id, rules[r].object_index);
+        add(Role::material_id, rules[r].material_index);
+    }
+    return selectors;
+}
+
+/// The rule that covers most of a pixel, the last one first: what it takes is gone for the others.
+void assign_pixel(const std::vector<Selector>& selectors, size_t pixel, Assignment& result) {
+    float left = 1.0f;
+    for (size_t r = selectors.size(); r-- > 0 && left > 0;) {
+        const float taken = std::min(selectors[r].share(pixel), left);
+        left -= taken;
+        if (!(taken > result.coverage[pixel])) continue;
+        result.coverage[pixel] = taken;
+        result.rule[pixel] = static_cast<int16_t>(r);
+    }
+}
+
 }  // namespace
 
 Assignment assign_rules(const AovFrame& frame, const std::vector<AssignRule>& rules) {
     if (rules.size() > static_cast<size_t>(std::numeric_limits<int16_t>::max()))
         throw Error(ErrorCode::bad_argument, "assign has " + std::to_string(rules.size()) + " rules; at most 32767");
-    const size_t pixels = static_cast<size_t>(frame.data_window.width) * frame.data_window.height;
-    Assignment result{frame.data_window.width, frame.data_window.height, std::vector<int16_t>(pixels, -1),
-                      std::vector<float>(pixels, 0.0f), std::vector<size_t>(rules.size(), 0)};
-    const std::vector<NamedObjects> objects = objects_of_rules(frame, rules);
-    std::vector<float> left(pixels, 1.0f);  // share of the pixel that later rules do not cover
-    for (size_t r = rules.size(); r-- > 0;) {
-        const Image share = selected_share(frame, rules[r], r, objects[r]);
-        for (size_t i = 0; i < pixels; ++i) {
-            const float taken = std::min(*share.at(i), left[i]);
-            left[i] -= taken;
-            if (!(taken > result.coverage[i])) continue;
-            result.coverage[i] = taken;
-            result.rule[i] = static_cast<int16_t>(r);
-        }
-    }
+    const int width = frame.data_window.width, height = frame.data_window.height;
+    const size_t pixels = static_cast<size_t>(width) * height;
+    Assignment result{width, height, std::vector<int16_t>(pixels, -1), std::vector<float>(pixels, 0.0f), {}};
+    const std::vector<Selector> selectors = selectors_of(frame, rules);
+    for_each_index(height, [&](int y) {
+        const size_t row = static_cast<size_t>(y) * width;
+        for (size_t pixel = row; pixel < row + width; ++pixel) assign_pixel(selectors, pixel, result);
+    });
+    result.counts.assign(rules.size(), 0);
     for (int16_t r : result.rule)
         if (r >= 0) ++result.counts[static_cast<size_t>(r)];
     return result;

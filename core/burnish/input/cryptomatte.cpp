@@ -1,5 +1,4 @@
 #include <burnish/base/error.h>
-#include <burnish/base/parallel.h>
 #include <burnish/input/cryptomatte.h>
 #include <burnish/input/cryptomatte_manifest.h>
 #include <burnish/input/name_pattern.h>
@@ -45,18 +44,9 @@ std::vector<CryptomatteSource::Channel> layer_channels(const CryptomatteSource& 
     return found;
 }
 
-/// Splits layers of four channels into two ranks each.
-std::vector<Image> split_ranks(const Image& layers) {
-    std::vector<Image> ranks;
-    for (int first = 0; first < layers.channels; first += 2) {
-        Image& rank = ranks.emplace_back(layers.width, layers.height, 2);
-        for (size_t i = 0; i < layers.pixel_count(); ++i) std::copy_n(layers.at(i) + first, 2, rank.at(i));
-    }
-    return ranks;
-}
-
-/// Reads all layers at once: files unpack every channel for each read.
-std::vector<Image> read_ranks(const CryptomatteSource& source, const std::string& name, std::vector<std::string>& warnings) {
+/// The channels of all layers; none when the cryptomatte cannot be used.
+std::vector<std::string> rank_channels(const CryptomatteSource& source, const std::string& name,
+                                       std::vector<std::string>& warnings) {
     std::vector<std::string> names;
     for (int number = 0; number < kMostLayers; ++number) {
         const std::string layer = name + (number < 10 ? "0" : "") + std::to_string(number);
@@ -72,7 +62,7 @@ std::vector<Image> read_ranks(const CryptomatteSource& source, const std::string
     }
     if (names.empty())
         warnings.push_back(source.file + ": cryptomatte " + name + " is not used: no layer " + name + "00 with four channels");
-    return names.empty() ? std::vector<Image>() : split_ranks(source.read(names));
+    return names;
 }
 
 /// The attributes of one cryptomatte, by key.
@@ -153,8 +143,10 @@ std::vector<Cryptomatte> decode_cryptomattes(const CryptomatteSource& source, st
                                "; expected MurmurHash3_32 with uint32_to_float32");
             continue;
         }
-        Cryptomatte cryptomatte{header.name, read_ranks(source, header.name, warnings), {}};
-        if (cryptomatte.ranks.empty()) continue;
+        Cryptomatte cryptomatte;
+        cryptomatte.name = header.name;
+        cryptomatte.channels = rank_channels(source, header.name, warnings);
+        if (cryptomatte.channels.empty()) continue;
         cryptomatte.manifest = manifest_of(source, header, warnings);
         result.push_back(std::move(cryptomatte));
     }
@@ -184,20 +176,20 @@ std::vector<uint32_t> matching_ids(const Cryptomatte& cryptomatte, const std::st
     return ids;
 }
 
+float cryptomatte_coverage(const Cryptomatte& cryptomatte, const std::vector<uint32_t>& ids, size_t pixel) {
+    float sum = 0;
+    for (const Image& rank : cryptomatte.ranks) {
+        const float* entry = rank.at(pixel);
+        const bool named = std::binary_search(ids.begin(), ids.end(), std::bit_cast<uint32_t>(entry[0]));
+        if (named && entry[1] > 0) sum += entry[1];
+    }
+    return std::min(sum, 1.0f);
+}
+
 Image cryptomatte_coverage(const Cryptomatte& cryptomatte, const std::vector<uint32_t>& ids) {
     const Image& first = cryptomatte.ranks.front();
     Image coverage(first.width, first.height, 1);
-    for_each_index(coverage.height, [&](int y) {
-        for (int x = 0; x < coverage.width; ++x) {
-            float sum = 0;
-            for (const Image& rank : cryptomatte.ranks) {
-                const float* entry = rank.at(x, y);
-                const bool named = std::binary_search(ids.begin(), ids.end(), std::bit_cast<uint32_t>(entry[0]));
-                if (named && entry[1] > 0) sum += entry[1];
-            }
-            *coverage.at(x, y) = std::min(sum, 1.0f);
-        }
-    });
+    for (size_t i = 0; i < coverage.pixel_count(); ++i) coverage.data[i] = cryptomatte_coverage(cryptomatte, ids, i);
     return coverage;
 }
 

@@ -9,7 +9,6 @@
 #include <burnish/input/frame.h>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +31,9 @@ struct CryptomatteSource {
     std::string file;  // the EXR: manifest files lie beside it, and messages name it
     std::vector<Attribute> attributes;
     std::vector<Channel> channels;
-    std::function<Image(const std::vector<std::string>& names)> read;  // these channels, in this order, bits untouched
 };
 
-/// All cryptomattes of a file; object cryptomattes come before material and asset ones. A damaged one (no layers, half
+/// All cryptomattes of a file, without their pixels; object cryptomattes come before material and asset ones. A damaged one (no layers, half
 /// channels) is left out, a damaged manifest is left empty, and `warnings` says so. Manifest files outside the EXR's folder
 /// are not opened.
 std::vector<Cryptomatte> decode_cryptomattes(const CryptomatteSource& source, std::vector<std::string>& warnings);
@@ -44,6 +42,9 @@ std::vector<Cryptomatte> decode_cryptomattes(const CryptomatteSource& source, st
 /// is meant as such. A text that is exactly a name of the manifest is that name, whatever characters it has. Names without
 /// wildcards work without a manifest. Sorted. Throws Error(bad_argument) for wildcards without a manifest.
 std::vector<uint32_t> matching_ids(const Cryptomatte& cryptomatte, const std::string& patterns);
+
+/// Share of one pixel that objects with the given ids (sorted) cover, in [0, 1].
+float cryptomatte_coverage(const Cryptomatte& cryptomatte, const std::vector<uint32_t>& ids, size_t pixel);
 
 /// Share of each pixel that objects with the given ids (sorted) cover, 1 channel in [0, 1].
 Image cryptomatte_coverage(const Cryptomatte& cryptomatte, const std::vector<uint32_t>& ids);

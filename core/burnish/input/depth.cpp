@@ -17,7 +17,7 @@ constexpr double kWorstMisfit = 0.02;  // relative: half-float depth and positio
 
 }  // namespace
 
-Image position_from_depth(const Image& depth, const Camera& camera, const Window& data, const Window& display,
+Image position_from_depth(const Image& depth, const Camera& camera, const RowStrips& rows, const Window& display,
                           bool ray_distance) {
     if (!camera.has_rays)
         throw Error(ErrorCode::bad_argument,
@@ -27,7 +27,7 @@ Image position_from_depth(const Image& depth, const Camera& camera, const Window
         for (int x = 0; x < depth.width; ++x) {
             const float z = *depth.at(x, y);
             if (!(z > 0 && z < kFarthest)) continue;
-            const Vec3f ray = camera.ray(screen_point(data.x + x, data.y + y, display));
+            const Vec3f ray = camera.ray(screen_point(rows.data.x + x, rows.data.y + rows.row(y), display));
             const Vec3f p = camera.centre + ray * (ray_distance ? z / ray.length() : z);
             std::copy_n(p.getValue(), 3, position.at(x, y));
         }
@@ -35,11 +35,11 @@ Image position_from_depth(const Image& depth, const Camera& camera, const Window
     return position;
 }
 
-DepthKind depth_kind(const Image& depth, const Image& position, const Camera& camera, const Window& data,
+DepthKind depth_kind(const Image& depth, const Image& position, const Camera& camera, const RowStrips& rows,
                      const Window& display) {
     const Imath::V3d centre(camera.centre), forward(camera.forward());
     std::vector<double> planar, distance;  // relative misfit of each reading
-    for (const Sighting& s : sample_sightings(position, nullptr, data, display, kSightings)) {
+    for (const Sighting& s : sample_sightings(position, nullptr, rows, display, kSightings)) {
         const double z = *depth.at(s.pixel), length = (s.point - centre).length();
         if (!(z > 0 && z < kFarthest)) continue;
         planar.push_back(std::fabs(z / forward.dot(s.point - centre) - 1));

@@ -72,6 +72,14 @@ std::map<int, std::vector<Run>> runs_by_part(const std::vector<ChannelRead>& rea
     return parts;
 }
 
+int rows_of_block(const OIIO::ImageSpec& spec) {
+    if (spec.tile_width) return spec.tile_height;
+    const std::string compression = spec.get_string_attribute("compression");
+    if (compression == "zip" || compression == "pxr24") return 16;
+    if (compression == "piz" || compression.starts_with("b44") || compression.starts_with("dwaa")) return 32;
+    return compression.starts_with("dwab") ? 256 : 1;
+}
+
 /// Size of the pieces a part is read in. OpenEXR keeps its last few blocks unpacked (two a thread): when several runs are
 /// read piece by piece, one after the other, each block is unpacked once and not once per run (3 times faster on a Cycles
 /// frame of 54 channels, 11 of them wanted).
@@ -83,12 +91,7 @@ std::pair<int, int> piece_size(const OIIO::ImageSpec& spec, size_t runs) {
         const int rows = runs > 1 ? spec.tile_height : std::max(kRowsOfOneRun / spec.tile_height, 1) * spec.tile_height;
         return {runs > 1 ? std::min(kept, spec.width / spec.tile_width + 1) * spec.tile_width : spec.width, rows};
     }
-    const std::string compression = spec.get_string_attribute("compression");
-    int block_rows = 1;
-    if (compression == "zip" || compression == "pxr24") block_rows = 16;
-    if (compression == "piz" || compression.starts_with("b44") || compression.starts_with("dwaa")) block_rows = 32;
-    if (compression.starts_with("dwab")) block_rows = 256;
-    return {spec.width, runs > 1 ? kept * block_rows : kRowsOfOneRun};
+    return {spec.width, runs > 1 ? kept * rows_of_block(spec) : kRowsOfOneRun};
 }
 
 /// The pixels of one piece, in the file's own coordinates, to the images laid out as `window`.
@@ -101,7 +104,7 @@ void scatter(const Run& run, const Window& piece, const std::vector<float>& pixe
         for (const ChannelRead* read : run.reads) {
             size_t from = (row + left - piece.x) * stride + read->channel.index - run.begin;
             for (int x = left; x < right; ++x, from += stride)
-                read->image->at(x - window.x, y - window.y)[read->component] = pixels[from];
+                read->image->at(x - window.x, y - window.y + read->top)[read->component] = pixels[from];
         }
     }
 }
@@ -123,9 +126,12 @@ void read_part(OIIO::ImageInput& input, const std::string& file, int part, const
                const std::vector<Run>& runs, const Window& window) {
     std::vector<float> pixels;
     const auto [width, height] = piece_size(spec, runs.size());
-    for (int y = 0; y < spec.height; y += height) {
+    const int block = rows_of_block(spec), top = std::max(window.y - spec.y, 0) / block * block;
+    const int wanted = std::min(window.y + window.height - spec.y, spec.height);
+    const int bottom = std::min((wanted + block - 1) / block * block, spec.height);
+    for (int y = top; y < bottom; y += height) {
         for (int x = 0; x < spec.width; x += width) {
-            const Window piece = {spec.x + x, spec.y + y, std::min(width, spec.width - x), std::min(height, spec.height - y)};
+            const Window piece = {spec.x + x, spec.y + y, std::min(width, spec.width - x), std::min(height, bottom - y)};
             for (const Run& run : runs) {
                 pixels.resize(static_cast<size_t>(piece.width) * piece.height * (run.end - run.begin));
                 if (!read_piece(input, part, spec, run, piece, pixels.data())) refuse(file, input.geterror());
@@ -170,6 +176,8 @@ Window ExrFile::display_window() const {
     const OIIO::ImageSpec& spec = m_parts->specs[0];
     return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
 }
+
+int ExrFile::block_rows(int part) const { return rows_of_block(m_parts->specs[part]); }
 
 std::shared_ptr<const Metadata> ExrFile::metadata(int part) const {
     return std::make_shared<Metadata>(Metadata{m_parts->specs[part]});

@@ -12,11 +12,12 @@
 
 namespace burnish {
 
-/// Channel `channel` of the file goes to component `component` of `image`.
+/// Channel `channel` of the file goes to component `component` of `image`, from its row `top` on.
 struct ChannelRead {
     Channel channel;
     Image* image;
     int component;
+    int top = 0;
 };
 
 class ExrFile {
@@ -35,11 +36,13 @@ public:
 
     Window data_window(int part) const;
     Window display_window() const;
+    /// Rows of a part that are unpacked together, whichever of them are wanted.
+    int block_rows(int part) const;
     /// Attributes of a part.
     std::shared_ptr<const Metadata> metadata(int part) const;
 
-    /// Decodes the channels into their images, which must have the size of `window`; pixels of `window` outside a part's
-    /// data window stay as they are. Throws Error(read_failed) for missing or damaged pixels.
+    /// Decodes the pixels of `window` into images of its width; those outside a part's data window stay as they are. Other
+    /// rows are not unpacked, except those of a block with wanted ones. Throws Error(read_failed) for missing or damaged pixels.
     void read(const std::vector<ChannelRead>& reads, const Window& window) const;
 
 private:

@@ -13,6 +13,7 @@ namespace burnish {
 struct ReadOptions {
     std::set<Role> roles;                           // roles wanted; empty = all that are found
     std::map<Role, std::string> channels;           // explicit layer per role ("ViewLayer.Normal"), wins over names
+    std::map<Role, std::set<Role>> substitutes;     // roles wanted only where this one is not found: uv for tangent
     bool cryptomattes = false;                      // decode cryptomatte layers too
     std::string view;                               // multi-view files: "left", "right"; empty = first
     std::function<Camera(const AovFrame&)> camera;  // explicit camera, wins over header and recovery; asked when the frame's

@@ -22,13 +22,15 @@ struct Cryptomatte {
     std::string name;                          // layer prefix, e.g. "ViewLayer.CryptoObject"
     std::vector<Image> ranks;                  // each 2 channels: id (float whose bits are the hash), coverage in [0, 1]
     std::map<std::string, uint32_t> manifest;  // object name -> id bits; empty when the file has none
+    std::vector<std::string> channels;         // of the file, two a rank, by layer and component
 };
 
-/// A frame in memory. Every layer has the size of `data_window`. Layers are linear; data layers are never colour managed.
+/// A frame in memory, or a band of its rows. Every layer has the size of `data_window`. Layers are linear; data layers are never colour managed.
 struct AovFrame {
     std::string file;
     Renderer renderer = Renderer::unknown;  // by the file's fingerprint; says what its passes mean
     Window data_window, display_window;
+    int margin_above = 0, margin_below = 0;  // rows of a band that are there for their neighbours only: not shaded, not written
     std::map<Role, Image> layers;
     std::optional<Camera> camera;
     std::vector<Cryptomatte> cryptomattes;

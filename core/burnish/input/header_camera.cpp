@@ -174,15 +174,15 @@ CameraHeader camera_header(const Metadata& metadata) {
     return header;
 }
 
-std::optional<Camera> header_camera(const CameraHeader& header, const Image* position, const Image* valid, const Window& data,
-                                    const Window& display, float pixel_aspect, std::string& note) {
+std::optional<Camera> header_camera(const CameraHeader& header, const Image* position, const Image* valid,
+                                    const RowStrips& rows, const Window& display, float pixel_aspect, std::string& note) {
     note.clear();
     if (!header.matrix) return std::nullopt;
     if (!is_rigid(M44d(*header.matrix)))
         return note = "the header's camera matrix is not a rotation and translation and is not used", std::nullopt;
     const double aspect = static_cast<double>(pixel_aspect) * display.width / display.height;
     if (!position) return trusted(header, aspect, "there is no position layer", note);
-    const std::vector<Sighting> sightings = sample_sightings(*position, valid, data, display, kSightings);
+    const std::vector<Sighting> sightings = sample_sightings(*position, valid, rows, display, kSightings);
     if (sightings.size() < kFewest) return trusted(header, aspect, "too few pixels see a surface", note);
     return validated(header, sightings, display, note);
 }

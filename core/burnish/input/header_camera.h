@@ -4,6 +4,7 @@
 
 #include <burnish/base/image.h>
 #include <burnish/input/camera.h>
+#include <burnish/input/row_strips.h>
 
 #include <optional>
 #include <string>
@@ -32,9 +33,10 @@ CameraHeader camera_header(const Metadata& metadata);
 ///               Without it, or with fewer than 50 pixels to check, the likeliest reading is taken
 ///               on trust, and the note says so ("not checked").
 /// valid         1 channel, > 0 where position holds; may be null
+/// rows          which of the frame the layers hold
 /// pixel_aspect  width over height of a pixel
 /// note          what was found, or why the header's camera was not taken; empty when the header has none
-std::optional<Camera> header_camera(const CameraHeader& header, const Image* position, const Image* valid, const Window& data,
-                                    const Window& display, float pixel_aspect, std::string& note);
+std::optional<Camera> header_camera(const CameraHeader& header, const Image* position, const Image* valid,
+                                    const RowStrips& rows, const Window& display, float pixel_aspect, std::string& note);
 
 }  // namespace burnish

@@ -7,17 +7,22 @@
 #include <set>
 
 namespace burnish {
+namespace {
 
-std::vector<Cryptomatte> read_cryptomattes(const ExrFile& file, const Window& window, std::vector<std::string>& warnings) {
+/// By layer and component: bare channels of a part count as the part's layer.
+std::string full_name(const Layer& layer, const Channel& channel) {
+    return (layer.name.empty() ? "" : layer.name + ".") + split_channel(channel.name).component;
+}
+
+}  // namespace
+
+std::vector<Cryptomatte> find_cryptomattes(const ExrFile& file, std::vector<std::string>& warnings) {
     CryptomatteSource source;
     source.file = file.name();
-    std::map<std::string, Channel> channels;  // by layer and component: bare channels of a part count as the part's layer
     std::set<int> parts;
     for (const Layer& layer : file.layers()) {
         for (const Channel& channel : layer.channels) {
-            const std::string name = (layer.name.empty() ? "" : layer.name + ".") + split_channel(channel.name).component;
-            channels[name] = channel;
-            source.channels.push_back({name, channel.type == ChannelType::float32});
+            source.channels.push_back({full_name(layer, channel), channel.type == ChannelType::float32});
             parts.insert(channel.part);
         }
     }
@@ -28,14 +33,18 @@ std::vector<Cryptomatte> read_cryptomattes(const ExrFile& file, const Window& wi
             if (const auto value = string_attribute(*metadata, name); value && seen.insert(name).second)
                 source.attributes.push_back({name, *value});
     }
-    source.read = [&](const std::vector<std::string>& names) {
-        Image image(window.width, window.height, static_cast<int>(names.size()));
-        std::vector<ChannelRead> reads;
-        for (size_t c = 0; c < names.size(); ++c) reads.push_back({channels.at(names[c]), &image, static_cast<int>(c)});
-        file.read(reads, window);
-        return image;
-    };
     return decode_cryptomattes(source, warnings);
+}
+
+void read_ranks(const ExrFile& file, const Window& window, Cryptomatte& cryptomatte) {
+    std::map<std::string, Channel> channels;
+    for (const Layer& layer : file.layers())
+        for (const Channel& channel : layer.channels) channels[full_name(layer, channel)] = channel;
+    cryptomatte.ranks.assign(cryptomatte.channels.size() / 2, Image(window.width, window.height, 2));
+    std::vector<ChannelRead> reads;
+    for (size_t c = 0; c < cryptomatte.channels.size(); ++c)
+        reads.push_back({channels.at(cryptomatte.channels[c]), &cryptomatte.ranks[c / 2], static_cast<int>(c % 2)});
+    file.read(reads, window);
 }
 
 }  // namespace burnish

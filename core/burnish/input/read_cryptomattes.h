@@ -8,7 +8,10 @@
 
 namespace burnish {
 
-/// All cryptomattes of the file, their layers laid out as `window`; see decode_cryptomattes for what is left out.
-std::vector<Cryptomatte> read_cryptomattes(const ExrFile& file, const Window& window, std::vector<std::string>& warnings);
+/// All cryptomattes of the file, without their pixels; see decode_cryptomattes for what is left out.
+std::vector<Cryptomatte> find_cryptomattes(const ExrFile& file, std::vector<std::string>& warnings);
+
+/// Reads the ranks of a cryptomatte of that file, laid out as `window`, bits untouched.
+void read_ranks(const ExrFile& file, const Window& window, Cryptomatte& cryptomatte);
 
 }  // namespace burnish

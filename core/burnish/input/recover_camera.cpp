@@ -76,9 +76,9 @@ std::string refusal(const std::string& reason) {
 
 }  // namespace
 
-std::optional<Camera> recover_camera(const Image& position, const Window& data, const Window& display, const Image* valid,
+std::optional<Camera> recover_camera(const Image& position, const RowStrips& rows, const Window& display, const Image* valid,
                                      std::string& note) {
-    const std::vector<Sighting> sightings = sample_sightings(position, valid, data, display, kSightings);
+    const std::vector<Sighting> sightings = sample_sightings(position, valid, rows, display, kSightings);
     if (sightings.size() < kFewest) return note = refusal("too few pixels see a surface"), std::nullopt;
 
     std::vector<Imath::V2d> pixels;  // from the middle of the display window, y up

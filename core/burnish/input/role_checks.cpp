@@ -1,8 +1,10 @@
+#include <burnish/base/parallel.h>
 #include <burnish/input/median.h>
 #include <burnish/input/role_checks.h>
 #include <burnish/input/sightings.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -92,21 +94,28 @@ Facing facing_share(const Image& normal, const Image& position, const Vec3f& cen
 Image surface_mask(const Image& position, const Image* normal) {
     constexpr float kAveragedLength = 0.9f;
     Image mask(position.width, position.height, 1);
-    for (size_t i = 0; i < position.pixel_count(); ++i) {
-        const bool is_whole = !normal || vector_at(*normal, i).length() > kAveragedLength;
-        mask.data[i] = is_hit(position.at(i)) && is_whole ? 1.0f : 0.0f;
-    }
+    const size_t width = static_cast<size_t>(position.width);
+    for_each_index(position.height, [&](int y) {
+        for (size_t i = y * width; i < (y + 1) * width; ++i) {
+            const bool is_whole = !normal || vector_at(*normal, i).length() > kAveragedLength;
+            mask.data[i] = is_hit(position.at(i)) && is_whole ? 1.0f : 0.0f;
+        }
+    });
     return mask;
 }
 
-size_t scrub(Image& image) {
-    size_t pixels = 0;
-    for (size_t i = 0; i < image.pixel_count(); ++i) {
-        bool is_bad = false;
-        for (float* value = image.at(i); value != image.at(i) + image.channels; ++value)
-            if (!std::isfinite(*value)) *value = 0.0f, is_bad = true;
-        pixels += is_bad;
-    }
+size_t scrub(Image& image, int above, int below) {
+    std::atomic<size_t> pixels = 0;
+    for_each_index(image.height, [&](int y) {
+        size_t bad = 0;
+        for (int x = 0; x < image.width; ++x) {
+            bool is_bad = false;
+            for (float* value = image.at(x, y); value != image.at(x, y) + image.channels; ++value)
+                if (!std::isfinite(*value)) *value = 0.0f, is_bad = true;
+            bad += is_bad;
+        }
+        if (y >= above && y < image.height - below) pixels += bad;
+    });
     return pixels;
 }
 

@@ -47,7 +47,8 @@ Facing facing_share(const Image& normal, const Image& position, const Vec3f& cen
 /// 1 where position is a surface point and the normal (may be null) is not an average over an edge (length above 0.9), else 0.
 Image surface_mask(const Image& position, const Image* normal);
 
-/// Sets NaN and infinite values to 0; returns how many pixels had one.
-size_t scrub(Image& image);
+/// Sets NaN and infinite values to 0; returns how many pixels had one, those of `above` rows at the top and `below` rows at the
+/// bottom not counted.
+size_t scrub(Image& image, int above = 0, int below = 0);
 
 }  // namespace burnish

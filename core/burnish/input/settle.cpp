@@ -20,9 +20,17 @@ Facing facing_of_frame(const AovFrame& frame) {
 }
 
 /// Reads the next candidate in place of the first.
-void pass_over(const ExrFile& file, Slot& slot, AovFrame& frame) {
+void pass_over(const ExrFile& file, Slot& slot, const RowStrips& rows, AovFrame& frame) {
     slot.candidates.erase(slot.candidates.begin());
-    read_slots(file, {&slot, 1}, frame);
+    read_slots(file, {&slot}, rows, frame);
+}
+
+/// What the numbers say about the layer just read, which is decoded by them.
+Verdict judge(Slot& slot, AovFrame& frame) {
+    const Verdict verdict = verify_layer(slot.role, slot.candidates.front(), frame.layers.at(slot.role));
+    slot.finding = verdict.finding, slot.is_encoded = verdict.is_encoded;
+    decode_slot(slot, frame);
+    return verdict;
 }
 
 std::string doubt_about(const std::string& layer, double share) {
@@ -42,11 +50,10 @@ void warn_unchecked(const Candidate& normal, AovFrame& frame) {
 
 }  // namespace
 
-void settle(const ExrFile& file, Slot& slot, AovFrame& frame) {
-    for (;; pass_over(file, slot, frame)) {
+void settle(const ExrFile& file, Slot& slot, const RowStrips& rows, AovFrame& frame) {
+    for (;; pass_over(file, slot, rows, frame)) {
         const Candidate& candidate = slot.candidates.front();
-        const Verdict verdict = verify_layer(slot.role, candidate, frame.layers.at(slot.role));
-        slot.finding = verdict.finding;
+        const Verdict verdict = judge(slot, frame);
         if (!verdict.warning.empty()) frame.warnings.push_back(verdict.warning);
         if (verdict.is_sound) return;
 
@@ -61,7 +68,7 @@ void settle(const ExrFile& file, Slot& slot, AovFrame& frame) {
     }
 }
 
-void settle_facing(const ExrFile& file, Slot& slot, AovFrame& frame) {
+void settle_facing(const ExrFile& file, Slot& slot, const RowStrips& rows, AovFrame& frame) {
     if (!frame.has(Role::normal)) return;
     const Facing first = frame.has(Role::position) && frame.camera ? facing_of_frame(frame) : Facing{};
     const auto accept = [&](const Facing& facing) {
@@ -74,12 +81,11 @@ void settle_facing(const ExrFile& file, Slot& slot, AovFrame& frame) {
     const Image first_image = frame.layer(Role::normal);
     const std::string doubt = doubt_about(slot.candidates.front().layer, first.share);
     while (slot.candidates.size() > 1) {
-        pass_over(file, slot, frame);
-        const Verdict verdict = verify_layer(Role::normal, slot.candidates.front(), frame.layers.at(Role::normal));
+        pass_over(file, slot, rows, frame);
+        const Verdict verdict = judge(slot, frame);
         const Facing facing = facing_of_frame(frame);
         if (!verdict.is_sound || facing.share <= kFacingShare) continue;
         frame.notes.push_back(doubt + ", passed over");
-        slot.finding = verdict.finding;
         return accept(facing);
     }
     slot = first_slot;

@@ -6,11 +6,12 @@
 
 namespace burnish {
 
-/// Judges the layer that was read for the slot by itself. When no candidate is sound the role is taken out of the frame.
-void settle(const ExrFile& file, Slot& slot, AovFrame& frame);
+/// Judges the layer that was read for the slot by itself, and decodes it. When no candidate is sound the role is taken out of
+/// the frame.
+void settle(const ExrFile& file, Slot& slot, const RowStrips& rows, AovFrame& frame);
 
 /// Judges normals by the camera: those in another space, or turned inside out, have unit length too, but face away. When no
 /// candidate faces the camera on more than 90 % of the interior pixels, the first one stays, with a warning.
-void settle_facing(const ExrFile& file, Slot& slot, AovFrame& frame);
+void settle_facing(const ExrFile& file, Slot& slot, const RowStrips& rows, AovFrame& frame);
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 
 #include <burnish/base/image.h>
 #include <burnish/base/types.h>
+#include <burnish/input/row_strips.h>
 
 #include <vector>
 
@@ -23,8 +24,9 @@ struct Sighting {
 bool is_hit(const float* p);
 
 /// At most `wanted` sightings, spread evenly over the pixels whose four neighbours are hits too: filtered position layers
-/// mix surface and background at silhouettes. `valid` (1 channel, > 0 is valid) may be null. Same input, same sightings.
-std::vector<Sighting> sample_sightings(const Image& position, const Image* valid, const Window& data, const Window& display,
+/// mix surface and background at silhouettes. `valid` (1 channel, > 0 is valid) may be null. `rows`: which of the frame the
+/// layers hold. Same input, same sightings.
+std::vector<Sighting> sample_sightings(const Image& position, const Image* valid, const RowStrips& rows, const Window& display,
                                        size_t wanted);
 
 }  // namespace burnish

@@ -1,4 +1,5 @@
 #include <burnish/input/slots.h>
+#include <burnish/input/verify_layer.h>
 
 #include <algorithm>
 
@@ -38,15 +39,24 @@ std::vector<Slot> wanted_slots(const ExrFile& file, const ReadOptions& options, 
     return slots;
 }
 
-void read_slots(const ExrFile& file, std::span<const Slot> slots, AovFrame& frame) {
-    std::vector<ChannelRead> reads;
-    for (const Slot& slot : slots) {
-        const std::vector<Channel>& channels = slot.candidates.front().channels;
-        const int count = static_cast<int>(channels.size());
-        Image& image = frame.layers[slot.role] = Image(frame.data_window.width, frame.data_window.height, count);
-        for (int c = 0; c < count; ++c) reads.push_back({channels[c], &image, c});
+void read_slots(const ExrFile& file, const std::vector<const Slot*>& slots, const RowStrips& rows, AovFrame& frame) {
+    for (int begin = 0; begin < rows.rows; begin += rows.height) {
+        const Window strip{rows.data.x, rows.data.y + rows.row(begin), rows.data.width, std::min(rows.height, rows.rows)};
+        std::vector<ChannelRead> reads;
+        for (const Slot* slot : slots) {
+            const std::vector<Channel>& channels = slot->candidates.front().channels;
+            const int count = static_cast<int>(channels.size());
+            Image& image = frame.layers[slot->role];
+            if (begin == 0) image = Image(rows.data.width, rows.rows, count);
+            for (int c = 0; c < count; ++c) reads.push_back({channels[c], &image, c, begin});
+        }
+        file.read(reads, strip);
     }
-    file.read(reads, frame.data_window);
+}
+
+void decode_slot(Slot& slot, AovFrame& frame) {
+    slot.scrubbed += decode_layer(slot.role, slot.candidates.front(), slot.is_encoded, frame.layers.at(slot.role),
+                                  frame.margin_above, frame.margin_below);
 }
 
 }  // namespace burnish

@@ -4,8 +4,8 @@
 #include <burnish/input/candidates.h>
 #include <burnish/input/exr_file.h>
 #include <burnish/input/exr_reader.h>
+#include <burnish/input/row_strips.h>
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,8 @@ struct Slot {
     Role role;
     std::vector<Candidate> candidates;  // never empty, best first; the front one is read
     std::string finding = {};           // what the numbers say about it
+    bool is_encoded = false;            // directions stored as 0..1
+    size_t scrubbed = 0;                // pixels of colour that were not finite and were set to 0
 
     std::string name() const { return std::string(role_info(role).name); }
 };
@@ -23,7 +25,10 @@ struct Slot {
 /// direct role; the indirect one is then left out, it would count twice.
 std::vector<Slot> wanted_slots(const ExrFile& file, const ReadOptions& options, Renderer renderer);
 
-/// Decodes the front candidate of every slot into the frame, in one pass over the file.
-void read_slots(const ExrFile& file, std::span<const Slot> slots, AovFrame& frame);
+/// Reads the front candidate of every slot into the frame, as stored, in one pass over the file. `rows`: which of them.
+void read_slots(const ExrFile& file, const std::vector<const Slot*>& slots, const RowStrips& rows, AovFrame& frame);
+
+/// Brings the layer that was read for the slot to its role's form.
+void decode_slot(Slot& slot, AovFrame& frame);
 
 }  // namespace burnish

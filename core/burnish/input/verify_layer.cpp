@@ -12,21 +12,21 @@ std::string number(const char* format, double value) {
     return text;
 }
 
-Verdict verify_vectors(Image& image) {
+Verdict verify_vectors(const Image& image) {
     const VectorCheck check = check_vectors(image);
     switch (check.kind) {
-        case VectorKind::unit: return {true, "unit length (median " + number("%.3f", check.median_length) + ")", ""};
-        case VectorKind::encoded: decode_vectors(image); return {true, "stored as 0..1, decoded as 2n - 1", ""};
-        case VectorKind::empty: return {false, "zero everywhere", ""};
+        case VectorKind::unit: return {true, false, "unit length (median " + number("%.3f", check.median_length) + ")", ""};
+        case VectorKind::encoded: return {true, true, "stored as 0..1, decoded as 2n - 1", ""};
+        case VectorKind::empty: return {false, false, "zero everywhere", ""};
         case VectorKind::neither: break;
     }
-    return {false, "not unit vectors (median length " + number("%.3g", check.median_length) + ")", ""};
+    return {false, false, "not unit vectors (median length " + number("%.3g", check.median_length) + ")", ""};
 }
 
 Verdict verify_position(const Candidate& candidate, const Image& image) {
     const PositionCheck check = check_positions(image);
-    if (check.pixels == 0) return {false, "zero or not finite everywhere", ""};
-    Verdict verdict{true, "about " + number("%.3g", check.median_size) + " units from the origin", ""};
+    if (check.pixels == 0) return {false, false, "zero or not finite everywhere", ""};
+    Verdict verdict{true, false, "about " + number("%.3g", check.median_size) + " units from the origin", ""};
     if (candidate.channels.front().type == ChannelType::half)
         verdict.warning = "position: " + candidate.layer + " is stored as half floats, in steps of " +
                           number("%.2g", half_step(check.median_size)) +
@@ -41,24 +41,20 @@ Verdict verify_position(const Candidate& candidate, const Image& image) {
 
 }  // namespace
 
-Verdict verify_layer(Role role, const Candidate& candidate, Image& image) {
-    switch (role) {
-        case Role::normal:
-        case Role::geometric_normal:
-        case Role::tangent: return verify_vectors(image);
-        case Role::position: return verify_position(candidate, image);
-        default: break;
-    }
-    Verdict verdict;
-    if (candidate.is_inverted) {
+bool is_judged(Role role) {
+    return role == Role::position || role == Role::normal || role == Role::geometric_normal || role == Role::tangent;
+}
+
+Verdict verify_layer(Role role, const Candidate& candidate, const Image& image) {
+    if (role == Role::position) return verify_position(candidate, image);
+    return is_judged(role) ? verify_vectors(image) : Verdict{};
+}
+
+size_t decode_layer(Role role, const Candidate& candidate, bool is_encoded, Image& image, int above, int below) {
+    if (is_encoded) decode_vectors(image);
+    if (candidate.is_inverted)
         for (float& value : image.data) value = 1.0f - value;
-        verdict.finding = "glossiness, turned into roughness 1 - g";
-    }
-    const size_t scrubbed = role_info(role).is_color ? scrub(image) : 0;
-    if (scrubbed > 0)
-        verdict.warning = std::string(role_info(role).name) + ": " + std::to_string(scrubbed) +
-                          " pixels are not finite numbers and were set to 0";
-    return verdict;
+    return role_info(role).is_color ? scrub(image, above, below) : 0;
 }
 
 }  // namespace burnish

@@ -59,18 +59,20 @@ void split_alpha(std::map<Role, Image>& layers) {
 
 }  // namespace
 
-AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera) {
+ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera) {
     ReadOptions options;
-    options.roles = wanted_roles(job, wardrobe, false);
+    options.roles = wanted_roles(job, wardrobe);
+    options.substitutes = substitute_roles(job, wardrobe);
     options.channels = job.channels;
     options.view = job.view;
     options.camera = camera_source(camera);
     options.cryptomattes =
         std::any_of(wardrobe.rules.begin(), wardrobe.rules.end(), [](const AssignRule& r) { return !r.cryptomatte.empty(); });
-    AovFrame frame = read_frame(file, options);
-    if (frame.has(Role::beauty)) return frame;
-    options.roles = wanted_roles(job, wardrobe, true);
-    return read_frame(file, options);
+    return options;
+}
+
+AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera) {
+    return read_frame(file, read_options(job, wardrobe, camera));
 }
 
 AovFrame frame_from_layers(std::map<Role, Image> layers, const std::string& camera) {
@@ -81,9 +83,9 @@ AovFrame frame_from_layers(std::map<Role, Image> layers, const std::string& came
     AovFrame frame;
     frame.data_window = frame.display_window = {0, 0, first.width, first.height};
     frame.layers = std::move(layers);
-    find_camera(frame, camera_source(camera));
-    judge_depth(frame);
-    complete_position(frame, false);
+    find_camera(frame, frame.data_window, camera_source(camera));
+    judge_depth(frame, frame.data_window);
+    complete_position(frame, frame.data_window, false);
     return frame;
 }
 

@@ -1,7 +1,7 @@
 // The frame a job works on: from a file, or from layers in memory.
 #pragma once
 
-#include <burnish/input/frame.h>
+#include <burnish/input/exr_reader.h>
 #include <burnish/job/look.h>
 
 #include <map>
@@ -9,8 +9,10 @@
 
 namespace burnish {
 
-/// Reads the layers that the job needs. `camera`: JSON file, the JSON itself, or "" (see Job::camera).
-/// Throws Error(read_failed | missing_channel | bad_argument).
+/// What the job needs of a file. `camera`: JSON file, the JSON itself, or "" (see Job::camera).
+ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera);
+
+/// Reads the layers that the job needs, whole. Throws Error(read_failed | missing_channel | bad_argument).
 AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera);
 
 /// A frame from layers of one size, linear and in world space. A beauty of four channels holds alpha too. Without a camera it

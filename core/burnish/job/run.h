@@ -2,18 +2,20 @@
 #pragma once
 
 #include <burnish/base/progress.h>
+#include <burnish/job/flow.h>
 #include <burnish/job/job.h>
 #include <burnish/output/report.h>
 
 namespace burnish {
 
 /// Runs every frame of the job: reads, shades, composites and writes, whole files or none. Light and materials are prepared
-/// once. Progress is told as (stage, share of the whole run).
+/// once; reading, shading and writing overlap, and large frames go in bands (flow.h). Progress is told as (stage, share of the
+/// whole run).
 ///
 /// Frames that are missing, unreadable or lack a channel stop the run with an Error that starts with "frame=N", or are
 /// reported and left out (Job::bad_frames). The report file is written in every case but cancellation.
 /// Throws Error with any code; what was written before stays and is whole.
-Report run(const Job& job, const Progress& progress);
+Report run(const Job& job, const Progress& progress, const FlowSettings& flow = {});
 
 /// Version of the library, "major.minor.patch".
 std::string_view version();

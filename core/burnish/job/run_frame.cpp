@@ -1,6 +1,7 @@
 #include <burnish/job/run_frame.h>
 
 #include <burnish/base/error.h>
+#include <burnish/base/parallel.h>
 #include <burnish/job/stages.h>
 
 #include <algorithm>
@@ -11,11 +12,9 @@ namespace {
 bool is_anisotropic(const LobeParameters& lobe) { return lobe.mx != lobe.my || lobe.per_pixel.anisotropy; }
 
 /// Which axis brushing runs around, when an anisotropic material meets a frame without tangents.
-void warn_of_tangents(const Look& look, const Surfaces& surfaces, const SurfaceSettings& settings, FrameReport& report) {
-    if (surfaces.tangent_source() != TangentSource::axis) return;
+void warn_of_tangents(const Look& look, const Vec3f& a, FrameReport& report) {
     for (const Material& material : look.wardrobe.materials) {
         if (std::none_of(material.lobes.begin(), material.lobes.end(), is_anisotropic)) continue;
-        const Vec3f& a = settings.tangent_axis;
         char axis[96];
         std::snprintf(axis, sizeof axis, "%g,%g,%g", a.x, a.y, a.z);
         report.warnings.push_back("no tangent layer: anisotropic lobes of '" + material.name + "' run around the axis " + axis +
@@ -23,75 +22,120 @@ void warn_of_tangents(const Look& look, const Surfaces& surfaces, const SurfaceS
     }
 }
 
-void count_pixels(const Surfaces& surfaces, const Assignment& assignment, const Look& look, FrameReport& report) {
+void report_pixels(const Tally& tally, const Look& look, FrameReport& report) {
     for (int i = 0; i < kValidityCount; ++i)
-        report.pixels.emplace_back(validity_name(static_cast<Validity>(i)), surfaces.counts()[static_cast<size_t>(i)]);
-    for (const AssignRule& rule : look.wardrobe.rules) report.materials.emplace_back(rule.material, 0);
-    for (size_t i = 0; i < assignment.rule.size(); ++i)
-        if (surfaces.validity(i) == Validity::valid) ++report.materials[static_cast<size_t>(assignment.rule[i])].second;
+        report.pixels.emplace_back(validity_name(static_cast<Validity>(i)), tally.pixels[static_cast<size_t>(i)]);
     for (size_t rule = 0; rule < look.wardrobe.rules.size(); ++rule) {
         const AssignRule& r = look.wardrobe.rules[rule];
+        report.materials.emplace_back(r.material, tally.shaded[rule]);
         const bool selects = r.object_index || r.material_index || !r.cryptomatte.empty();
-        if (selects && assignment.counts[rule] == 0)
+        if (selects && tally.selected[rule] == 0)
             report.warnings.push_back("the rule for material '" + r.material + "' finds no pixel of its own");
     }
-    const size_t broken = surfaces.counts()[static_cast<size_t>(Validity::not_finite)];
+    const size_t broken = tally.pixels[static_cast<size_t>(Validity::not_finite)];
     if (broken > 0)
         report.warnings.push_back(std::to_string(broken) + " pixels hold NaN or infinity in P or N and are left as they were");
-    if (surfaces.counts()[0] == 0) report.warnings.push_back("no pixel was shaded: see the counts under pixels");
+    if (tally.pixels[0] == 0) report.warnings.push_back("no pixel was shaded: see the counts under pixels");
+}
+
+void add(const std::vector<size_t>& counts, std::vector<size_t>& sums) {
+    sums.resize(counts.size());
+    for (size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
+}
+
+Tally tally_of(const Surfaces& surfaces, const Assignment& assignment, size_t rules) {
+    Tally tally;
+    tally.pixels = surfaces.counts();
+    tally.selected = assignment.counts;
+    tally.lacks_tangents = surfaces.tangent_source() == TangentSource::axis;
+    std::vector<std::vector<size_t>> rows(static_cast<size_t>(assignment.height), std::vector<size_t>(rules));
+    for_each_index(assignment.height, [&](int y) {
+        const size_t begin = static_cast<size_t>(y) * assignment.width;
+        for (size_t i = begin; i < begin + assignment.width; ++i)
+            if (surfaces.validity(i) == Validity::valid)
+                ++rows[static_cast<size_t>(y)][static_cast<size_t>(assignment.rule[i])];
+    });
+    tally.shaded.resize(rules);
+    for (const std::vector<size_t>& row : rows) add(row, tally.shaded);
+    return tally;
 }
 
 /// Coverage only where a pixel was shaded: elsewhere there is no overlay that could take the rendered specular's place.
-Assignment covering_shaded(Assignment assignment, const Surfaces& surfaces) {
-    for (size_t i = 0; i < assignment.coverage.size(); ++i)
-        if (surfaces.validity(i) != Validity::valid) assignment.coverage[i] = 0;
-    return assignment;
+void cover_shaded(const Surfaces& surfaces, Assignment& assignment) {
+    for_each_index(assignment.height, [&](int y) {
+        const size_t begin = static_cast<size_t>(y) * assignment.width;
+        for (size_t i = begin; i < begin + assignment.width; ++i)
+            if (surfaces.validity(i) != Validity::valid) assignment.coverage[i] = 0;
+    });
 }
 
 Image validity_image(const Surfaces& surfaces, int width, int height) {
     Image image(width, height, 1);
-    for (size_t i = 0; i < image.pixel_count(); ++i) *image.at(i) = static_cast<float>(surfaces.validity(i));
+    for_each_index(height, [&](int y) {
+        const size_t begin = static_cast<size_t>(y) * width;
+        for (size_t i = begin; i < begin + width; ++i) image.data[i] = static_cast<float>(surfaces.validity(i));
+    });
     return image;
 }
 
-void describe(const AovFrame& frame, FrameReport& report) {
+void check_size(const Assignment& given, const Window& window) {
+    if (given.width == window.width && given.height == window.height) return;
+    throw Error(ErrorCode::size_mismatch, "assign: the masks are " + std::to_string(given.width) + "x" +
+                                              std::to_string(given.height) + ", the frame is " + std::to_string(window.width) +
+                                              "x" + std::to_string(window.height));
+}
+
+}  // namespace
+
+void Tally::operator+=(const Tally& band) {
+    for (size_t i = 0; i < pixels.size(); ++i) pixels[i] += band.pixels[i];
+    add(band.shaded, shaded), add(band.selected, selected);
+    lookups += band.lookups;
+    lacks_tangents = band.lacks_tangents;
+    for (const auto& [stage, elapsed] : band.seconds) add_seconds(seconds, stage, elapsed);
+}
+
+FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, const Assignment* given,
+                      const Progress& progress) {
+    FrameResult result;
+    NamedValues<double> seconds;
+    const bool difference = !look.old_shaders.empty();
+    if (given) check_size(*given, frame.data_window);
+    Assignment assignment;
+    const Surfaces surfaces = timed(seconds, "surface", [&] {
+        assignment = given ? *given : assign_rules(frame, look.wardrobe.rules);
+        return Surfaces(frame, assignment, job.surface);
+    });
+    result.tally = tally_of(surfaces, assignment, look.wardrobe.rules.size());
+    result.validity = validity_image(surfaces, assignment.width, assignment.height);
+    ShadedFrame old;
+    timed(seconds, "shading", [&] {
+        result.shaded = shade_dense(surfaces, assignment, look.shaders, part_of(progress, 0.0f, difference ? 0.5f : 1.0f));
+        if (difference) old = shade_dense(surfaces, assignment, look.old_shaders, part_of(progress, 0.5f, 1.0f));
+    });
+    result.composite = timed(seconds, "composite", [&] {
+        cover_shaded(surfaces, assignment);
+        return composite(frame, assignment, result.shaded.overlay, difference ? &old.overlay : nullptr, look.wardrobe.kd,
+                         job.composite);
+    });
+    result.tally.lookups = result.shaded.lookups + old.lookups;
+    result.tally.seconds = std::move(seconds);
+    return result;
+}
+
+FrameReport frame_report(const Job& job, const AovFrame& frame, const Look& look, const Tally& tally) {
+    FrameReport report;
     report.input = frame.file;
     report.width = frame.data_window.width, report.height = frame.data_window.height;
     for (const auto& [role, image] : frame.layers) report.roles.emplace_back(role_info(role).name);
     if (frame.camera) report.camera = frame.camera->source;
     report.notes = frame.notes;
     report.warnings = frame.warnings;
-}
-
-}  // namespace
-
-FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, const Assignment* given,
-                      const Progress& progress) {
-    FrameResult result;
-    FrameReport& report = result.report;
-    describe(frame, report);
-    const bool difference = !look.old_shaders.empty();
-    const Window& window = frame.data_window;
-    if (given && (given->width != window.width || given->height != window.height))
-        throw Error(ErrorCode::size_mismatch, "assign: the masks are " + std::to_string(given->width) + "x" +
-                                                  std::to_string(given->height) + ", the frame is " +
-                                                  std::to_string(window.width) + "x" + std::to_string(window.height));
-    const Assignment assignment = given ? *given : assign_rules(frame, look.wardrobe.rules);
-    const Surfaces surfaces = timed(report.seconds, "surface", [&] { return Surfaces(frame, assignment, job.surface); });
-    count_pixels(surfaces, assignment, look, report);
-    warn_of_tangents(look, surfaces, job.surface, report);
-    result.validity = validity_image(surfaces, assignment.width, assignment.height);
-    ShadedFrame old;
-    timed(report.seconds, "shading", [&] {
-        result.shaded = shade_dense(surfaces, assignment, look.shaders, part_of(progress, 0.0f, difference ? 0.5f : 1.0f));
-        if (difference) old = shade_dense(surfaces, assignment, look.old_shaders, part_of(progress, 0.5f, 1.0f));
-    });
-    report.lookups = result.shaded.lookups + old.lookups;
-    result.composite = timed(report.seconds, "composite", [&] {
-        return composite(frame, covering_shaded(assignment, surfaces), result.shaded.overlay,
-                         difference ? &old.overlay : nullptr, look.wardrobe.kd, job.composite);
-    });
-    return result;
+    report_pixels(tally, look, report);
+    if (tally.lacks_tangents) warn_of_tangents(look, job.surface.tangent_axis, report);
+    report.lookups = tally.lookups;
+    report.seconds = tally.seconds;
+    return report;
 }
 
 Assignment assign_masks(const std::vector<Image>& masks) {

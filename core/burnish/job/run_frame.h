@@ -1,4 +1,4 @@
-// One frame in memory: the one implementation behind files and arrays.
+// One frame in memory, or a band of one: the one implementation behind files and arrays.
 #pragma once
 
 #include <burnish/base/progress.h>
@@ -6,24 +6,41 @@
 #include <burnish/output/report.h>
 #include <burnish/shading/dense.h>
 
+#include <map>
 #include <set>
 
 namespace burnish {
+
+/// What a report counts; the bands of a frame add up.
+struct Tally {
+    std::array<size_t, kValidityCount> pixels{};
+    std::vector<size_t> shaded, selected;  // pixels of each rule: shaded, and assigned to it
+    double lookups = 0;
+    bool lacks_tangents = false;
+    NamedValues<double> seconds;
+
+    void operator+=(const Tally& band);
+};
 
 struct FrameResult {
     Composite composite;
     ShadedFrame shaded;
     Image validity;  // 1 channel: the number of each pixel's Validity
-    FrameReport report;
+    Tally tally;
 };
 
-/// The roles a job reads when the frame has them. `without_beauty`: also what the diffuse part is made of.
-std::set<Role> wanted_roles(const Job& job, const Wardrobe& wardrobe, bool without_beauty);
+/// The roles a job reads when the frame has them.
+std::set<Role> wanted_roles(const Job& job, const Wardrobe& wardrobe);
+/// Roles it reads only where another is not found: what the diffuse part is made of for the beauty, UVs for tangents.
+std::map<Role, std::set<Role>> substitute_roles(const Job& job, const Wardrobe& wardrobe);
 
-/// Surfaces, shading and compositing of a frame. `assignment`: who wears what; null = by the rules.
+/// Surfaces, shading and compositing of a frame or band. `assignment`: who wears what; null = by the rules.
 /// Throws Error(missing_channel | size_mismatch | color_space | cancelled).
 FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, const Assignment* assignment,
                       const Progress& progress);
+
+/// The report on a frame whose bands add up to `tally`; `frame`: any of them, the warnings of the last.
+FrameReport frame_report(const Job& job, const AovFrame& frame, const Look& look, const Tally& tally);
 
 /// Assignment from one mask per rule (1 channel, coverage in [0, 1], 0 = not this material); later masks win.
 /// Throws Error(size_mismatch).

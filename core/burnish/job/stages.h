@@ -10,6 +10,16 @@
 
 namespace burnish {
 
+/// Adds to the time of `stage`, which comes last when it is new.
+inline void add_seconds(NamedValues<double>& seconds, const std::string& stage, double elapsed) {
+    for (auto& [name, sum] : seconds)
+        if (name == stage) {
+            sum += elapsed;
+            return;
+        }
+    seconds.emplace_back(stage, elapsed);
+}
+
 /// Runs `work`, adds its wall time in seconds under `stage` and hands its result on.
 template <class Work>
 auto timed(NamedValues<double>& seconds, const std::string& stage, Work&& work) {
@@ -19,7 +29,7 @@ auto timed(NamedValues<double>& seconds, const std::string& stage, Work&& work) 
         std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
         ~Stopwatch() {
             const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-            seconds.emplace_back(stage, elapsed.count());
+            add_seconds(seconds, stage, elapsed.count());
         }
     } stopwatch{seconds, stage};
     return std::forward<Work>(work)();

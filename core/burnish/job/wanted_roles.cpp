@@ -22,14 +22,11 @@ void add_per_pixel(const Wardrobe& wardrobe, std::set<Role>& roles) {
         if (any_lobe(wardrobe, [&](const LobeParameters& lobe) { return lobe.per_pixel.*wanted; })) roles.insert(role);
 }
 
-void add_composite(CompositeMode mode, bool without_beauty, std::set<Role>& roles) {
-    if (mode == CompositeMode::replace) roles.insert({Role::specular_direct, Role::specular_indirect, Role::specular_albedo});
-    if (without_beauty) roles.insert({Role::diffuse_direct, Role::diffuse_indirect, Role::diffuse_albedo, Role::irradiance});
-}
+bool is_anisotropic(const LobeParameters& lobe) { return lobe.mx != lobe.my || lobe.per_pixel.anisotropy; }
 
 }  // namespace
 
-std::set<Role> wanted_roles(const Job& job, const Wardrobe& wardrobe, bool without_beauty) {
+std::set<Role> wanted_roles(const Job& job, const Wardrobe& wardrobe) {
     std::set<Role> roles = {Role::beauty,           Role::alpha, Role::position, Role::normal,
                             Role::geometric_normal, Role::depth, Role::mask};
     for (const auto& [role, layer] : job.channels) roles.insert(role);
@@ -38,10 +35,21 @@ std::set<Role> wanted_roles(const Job& job, const Wardrobe& wardrobe, bool witho
         if (rule.material_index) roles.insert(Role::material_id);
     }
     add_per_pixel(wardrobe, roles);
-    add_composite(job.composite.mode, without_beauty, roles);
-    if (any_lobe(wardrobe, [](const LobeParameters& lobe) { return lobe.mx != lobe.my || lobe.per_pixel.anisotropy; }))
-        roles.insert({Role::tangent, Role::uv});
+    if (job.composite.mode == CompositeMode::replace)
+        roles.insert({Role::specular_direct, Role::specular_indirect, Role::specular_albedo});
+    const TangentSource tangent = job.surface.tangent;
+    if (!any_lobe(wardrobe, is_anisotropic)) return roles;
+    if (tangent == TangentSource::automatic || tangent == TangentSource::layer) roles.insert(Role::tangent);
+    if (tangent == TangentSource::uv) roles.insert(Role::uv);
     return roles;
+}
+
+std::map<Role, std::set<Role>> substitute_roles(const Job& job, const Wardrobe& wardrobe) {
+    std::map<Role, std::set<Role>> substitutes;
+    substitutes[Role::beauty] = {Role::diffuse_direct, Role::diffuse_indirect, Role::diffuse_albedo, Role::irradiance};
+    if (job.surface.tangent == TangentSource::automatic && any_lobe(wardrobe, is_anisotropic))
+        substitutes[Role::tangent] = {Role::uv};
+    return substitutes;
 }
 
 }  // namespace burnish

@@ -1,11 +1,9 @@
 #include <burnish/job/write_frame.h>
 
-#include <burnish/output/exr_writer.h>
-
 namespace burnish {
+namespace {
 
-void write_frame(const Job& job, const ColorFlow& color, const FrameTask& task, const AovFrame& frame, FrameResult& result) {
-    color.to_output(result.composite);
+std::vector<OutputLayer> layers_of(const FrameResult& result, bool diagnostics) {
     std::vector<OutputLayer> layers{{{"R", "G", "B", "A"}, &result.composite.beauty},
                                     {{"burnish_spec.R", "burnish_spec.G", "burnish_spec.B"}, &result.composite.overlay}};
     const auto add = [&](const char* name, std::vector<std::string> components, const Image& image) {
@@ -14,13 +12,34 @@ void write_frame(const Job& job, const ColorFlow& color, const FrameTask& task, 
         layers.push_back({components, &image});
     };
     add("burnish_diffuse", {"R", "G", "B"}, result.composite.diffuse);
-    if (job.output.diagnostics) {
-        add("burnish_validity", {"X"}, result.validity);
-        add("burnish_samples", {"X"}, result.shaded.samples);
-        add("burnish_error", {"X"}, result.shaded.standard_error);
-    }
-    write_exr(task.output, frame, layers, job.output.pixel_type);
-    if (!task.preview.empty()) write_preview(task.preview, result.composite.beauty, color.preview());
+    if (!diagnostics) return layers;
+    add("burnish_validity", {"X"}, result.validity);
+    add("burnish_samples", {"X"}, result.shaded.samples);
+    add("burnish_error", {"X"}, result.shaded.standard_error);
+    return layers;
+}
+
+}  // namespace
+
+void FrameWriter::append(const Window& whole, const AovFrame& band, FrameResult& result) {
+    m_color.to_output(result.composite);
+    const std::vector<OutputLayer> layers = layers_of(result, m_job.output.diagnostics);
+    if (!m_exr) open(whole, band, layers);
+    m_exr->append(layers, band.margin_above, band.margin_below);
+    if (m_preview) m_preview->append(result.composite.beauty, band.margin_above, band.margin_below);
+}
+
+void FrameWriter::open(const Window& whole, const AovFrame& band, const std::vector<OutputLayer>& layers) {
+    AovFrame header;
+    header.file = band.file, header.metadata = band.metadata;
+    header.data_window = whole, header.display_window = band.display_window;
+    m_exr.emplace(m_task.output, header, layers, m_job.output.pixel_type);
+    if (!m_task.preview.empty()) m_preview.emplace(m_task.preview, whole.width, whole.height, m_color.preview());
+}
+
+void FrameWriter::finish() {
+    m_exr->finish();
+    if (m_preview) m_preview->finish();
 }
 
 }  // namespace burnish

@@ -1,15 +1,36 @@
-// A finished frame to its files: EXR layers and preview.
+// A finished frame to its files, band by band: EXR layers and preview.
 #pragma once
 
 #include <burnish/job/color_flow.h>
 #include <burnish/job/frame_tasks.h>
 #include <burnish/job/run_frame.h>
+#include <burnish/output/exr_writer.h>
+#include <burnish/output/preview.h>
+
+#include <optional>
 
 namespace burnish {
 
-/// Layers: R G B A, burnish_spec (the overlay as added), burnish_diffuse where the frame had no beauty; with diagnostics also
-/// burnish_validity, burnish_samples and burnish_error. Colours go to the job's output space; `result` is used up.
-/// Throws Error(write_failed | color_space).
-void write_frame(const Job& job, const ColorFlow& color, const FrameTask& task, const AovFrame& frame, FrameResult& result);
+class FrameWriter {
+public:
+    /// The files are made with the first band and are there when finished, else never. All arguments must outlive the writer.
+    FrameWriter(const Job& job, const ColorFlow& color, const FrameTask& task) : m_job(job), m_color(color), m_task(task) {}
+
+    /// Appends a band. Layers: R G B A, burnish_spec (the overlay as added), burnish_diffuse where the frame had no beauty; with
+    /// diagnostics also burnish_validity, burnish_samples and burnish_error. Colours go to the job's output space; `result` is
+    /// used up. `whole`: the frame's data window. Throws Error(write_failed | color_space).
+    void append(const Window& whole, const AovFrame& band, FrameResult& result);
+    /// Throws Error(write_failed).
+    void finish();
+
+private:
+    void open(const Window& whole, const AovFrame& band, const std::vector<OutputLayer>& layers);
+
+    const Job& m_job;
+    const ColorFlow& m_color;
+    const FrameTask& m_task;
+    std::optional<ExrWriter> m_exr;
+    std::optional<PreviewWriter> m_preview;
+};
 
 }  // namespace burnish

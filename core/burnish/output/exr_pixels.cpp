@@ -1,9 +1,10 @@
-#include <burnish/output/atomic_file.h>
+#include <burnish/base/parallel.h>
 #include <burnish/output/exr_pixels.h>
 
-#include <OpenImageIO/filesystem.h>
+#include <Imath/half.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace burnish {
 namespace {
@@ -11,47 +12,65 @@ namespace {
 constexpr float kLargestHalf = 65504.0f;
 constexpr int kRowsAtOnce = 64;  // four ZIP blocks; keeps the interleaved copy small
 
-/// Rows [begin, end) of all layers, channels interleaved, values within what the channel's type can hold.
-void interleave(const std::vector<OutputLayer>& layers, const OIIO::ImageSpec& spec, int begin, int end,
-                std::vector<float>& rows) {
-    const size_t stride = static_cast<size_t>(spec.nchannels);
-    size_t first = 0;
-    for (const OutputLayer& layer : layers) {
-        const Image& image = *layer.image;
-        float* to = rows.data() + first;
-        const float* from = image.at(0, begin);
-        const size_t pixels = static_cast<size_t>(end - begin) * image.width;
-        for (size_t i = 0; i < pixels; ++i, to += stride, from += image.channels) std::copy_n(from, image.channels, to);
-        first += layer.channels.size();
+Imath::half to_half(float value) { return Imath::half(std::clamp(value, -kLargestHalf, kLargestHalf)); }
+
+/// One channel of one row: every `stride`-th byte of `to` begins a value.
+template <class Convert>
+void store(const float* from, int step, int width, size_t stride, char* to, const Convert& convert) {
+    for (int x = 0; x < width; ++x, from += step, to += stride) {
+        const auto value = convert(*from);
+        std::memcpy(to, &value, sizeof value);
     }
-    for (size_t c = 0; c < stride; ++c)
-        if (spec.channelformat(static_cast<int>(c)) == OIIO::TypeHalf)
-            for (size_t i = c; i < rows.size(); i += stride) rows[i] = std::clamp(rows[i], -kLargestHalf, kLargestHalf);
 }
 
-void write_pixels(OIIO::ImageOutput& output, const AtomicFile& target, const std::vector<OutputLayer>& layers) {
-    const OIIO::ImageSpec& spec = output.spec();
-    std::vector<float> rows;
-    for (int begin = 0; begin < spec.height; begin += kRowsAtOnce) {
-        const int end = std::min(begin + kRowsAtOnce, spec.height);
-        rows.resize(static_cast<size_t>(end - begin) * spec.width * spec.nchannels);
-        interleave(layers, spec, begin, end, rows);
-        if (!output.write_scanlines(spec.y + begin, spec.y + end, 0, OIIO::TypeFloat, rows.data()))
-            target.fail(output.geterror());
-    }
+/// One row of all layers, channels interleaved, each in its own type.
+void interleave(const std::vector<OutputLayer>& layers, const OIIO::ImageSpec& spec, int row, char* to) {
+    const size_t stride = spec.pixel_bytes(true);
+    int channel = 0;
+    for (const OutputLayer& layer : layers)
+        for (int c = 0; c < layer.image->channels; ++c, ++channel) {
+            const OIIO::TypeDesc type = spec.channelformat(channel);
+            const float* from = layer.image->at(0, row) + c;
+            if (type == OIIO::TypeHalf)
+                store(from, layer.image->channels, spec.width, stride, to, to_half);
+            else
+                store(from, layer.image->channels, spec.width, stride, to, [](float value) { return value; });
+            to += type.size();
+        }
 }
 
 }  // namespace
 
+LayerFile::LayerFile(const std::string& file, const OIIO::ImageSpec& spec)
+    : m_target(file),
+      m_stream(m_target.handle(), OIIO::Filesystem::IOProxy::Write),
+      m_output(OIIO::ImageOutput::create("openexr", &m_stream)) {
+    if (!m_output || !m_output->open(file, spec)) m_target.fail(m_output ? m_output->geterror() : OIIO::geterror());
+}
+
+void LayerFile::append(const std::vector<OutputLayer>& layers, int begin, int end) {
+    const OIIO::ImageSpec& spec = m_output->spec();
+    const size_t row_bytes = spec.scanline_bytes(true);
+    std::vector<char> rows;
+    for (int top = begin; top < end; top += kRowsAtOnce) {
+        const int count = std::min(kRowsAtOnce, end - top), y = spec.y + m_rows;
+        rows.resize(static_cast<size_t>(count) * row_bytes);
+        for_each_index(count, [&](int row) { interleave(layers, spec, top + row, rows.data() + row * row_bytes); });
+        if (!m_output->write_scanlines(y, y + count, 0, OIIO::TypeUnknown, rows.data())) m_target.fail(m_output->geterror());
+        m_rows += count;
+    }
+}
+
+void LayerFile::finish() {
+    if (!m_output->close()) m_target.fail(m_output->geterror());
+    m_output.reset();  // textures stay open after close(); the writer must be gone before its stream is
+    m_target.commit();
+}
+
 void write_layers(const std::string& file, const OIIO::ImageSpec& spec, const std::vector<OutputLayer>& layers) {
-    AtomicFile target(file);
-    OIIO::Filesystem::IOFile stream(target.handle(), OIIO::Filesystem::IOProxy::Write);
-    std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr", &stream);
-    if (!output || !output->open(file, spec)) target.fail(output ? output->geterror() : OIIO::geterror());
-    write_pixels(*output, target, layers);
-    if (!output->close()) target.fail(output->geterror());
-    output.reset();  // textures stay open after close(); the writer must be gone before its stream is
-    target.commit();
+    LayerFile target(file, spec);
+    target.append(layers, 0, spec.height);
+    target.finish();
 }
 
 }  // namespace burnish

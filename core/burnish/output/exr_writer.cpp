@@ -23,9 +23,29 @@ void check_sizes(const std::string& file, const Window& window, const std::vecto
 
 }  // namespace
 
+struct ExrWriter::State {
+    std::string file;
+    LayerFile output;
+};
+
+ExrWriter::ExrWriter(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type)
+    : m_state(new State{file, {file, output_spec(file, frame, layers, type)}}) {}
+
+ExrWriter::~ExrWriter() = default;
+
+void ExrWriter::append(const std::vector<OutputLayer>& layers, int above, int below) {
+    const Image& first = *layers.front().image;
+    check_sizes(m_state->file, {0, 0, first.width, first.height}, layers);
+    m_state->output.append(layers, above, first.height - below);
+}
+
+void ExrWriter::finish() { m_state->output.finish(); }
+
 void write_exr(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type) {
     check_sizes(file, frame.data_window, layers);
-    write_layers(file, output_spec(file, frame, layers, type), layers);
+    ExrWriter writer(file, frame, layers, type);
+    writer.append(layers, 0, 0);
+    writer.finish();
 }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -1,9 +1,11 @@
 // Frame to file: the only place that writes pixels. Writes beside the target and renames, so nothing half-written stays.
+// Frames too large for memory come in bands of rows.
 #pragma once
 
 #include <burnish/base/image.h>
 #include <burnish/input/frame.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,27 @@ struct OutputLayer {
 
 enum class PixelType { half, float32 };
 
-/// Writes an EXR (ZIP) with the frame's windows and metadata (may be null), `Software` and a `burnish/history` line added.
-/// Layer sizes must equal the data window. Channel names have one dot at most and start with letters, so that every
-/// package shows them unchanged. Half values are clamped to +-65504. Makes the output directory when absent.
-/// Throws Error(write_failed | size_mismatch | bad_argument); then nothing is left on disk and an older file is untouched.
+/// An EXR (ZIP) with a frame's windows and metadata (may be null), `Software` and a `burnish/history` line added.
+class ExrWriter {
+public:
+    /// `layers` says which channels there will be. Their names have one dot at most and start with letters, so that every
+    /// package shows them unchanged. Makes the output directory when absent. Throws Error(write_failed | bad_argument).
+    ExrWriter(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type);
+    /// Unless finished, nothing is left on disk and an older file is untouched.
+    ~ExrWriter();
+
+    /// Appends the rows of these layers but `above` at their top and `below` at their bottom. Half values are clamped to
+    /// +-65504. Throws Error(write_failed | size_mismatch).
+    void append(const std::vector<OutputLayer>& layers, int above, int below);
+    /// All rows of the data window were appended. Throws Error(write_failed).
+    void finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/// The same for layers of the whole frame. Throws Error(write_failed | size_mismatch | bad_argument).
 void write_exr(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type);
 
 /// Writes any bytes just so: whole or not at all (reports, JSON). Throws Error(write_failed).

@@ -44,21 +44,68 @@ std::string lower_extension(const std::string& file) {
     return extension;
 }
 
-void write_png(const std::string& file, const Image& rgb) {
+OIIO::ImageSpec png_spec(const std::string& file, int width, int height) {
     if (lower_extension(file) != ".png")
         throw Error(ErrorCode::bad_argument, file + ": previews are PNG files; end the name in .png");
-    OIIO::ImageSpec spec(rgb.width, rgb.height, 3, OIIO::TypeUInt8);
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    AtomicFile target(file);
-    OIIO::Filesystem::IOFile stream(target.handle(), OIIO::Filesystem::IOProxy::Write);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png", &stream);
-    if (!output || !output->open(file, spec)) target.fail(output ? output->geterror() : OIIO::geterror());
-    if (!output->write_image(OIIO::TypeFloat, rgb.data.data())) target.fail(output->geterror());
-    if (!output->close()) target.fail(output->geterror());
-    target.commit();
+    return spec;
+}
+
+/// A PNG of which rows are appended from the top: there when finished, else never.
+class PngFile {
+public:
+    PngFile(const std::string& file, int width, int height)
+        : m_spec(png_spec(file, width, height)),
+          m_target(file),
+          m_stream(m_target.handle(), OIIO::Filesystem::IOProxy::Write),
+          m_output(OIIO::ImageOutput::create("png", &m_stream)) {
+        if (!m_output || !m_output->open(file, m_spec)) m_target.fail(m_output ? m_output->geterror() : OIIO::geterror());
+    }
+
+    void append(const Image& rgb, int above, int below) {
+        const int count = rgb.height - above - below;
+        if (!m_output->write_scanlines(m_rows, m_rows + count, 0, OIIO::TypeFloat, rgb.at(0, above)))
+            m_target.fail(m_output->geterror());
+        m_rows += count;
+    }
+
+    void finish() {
+        if (!m_output->close()) m_target.fail(m_output->geterror());
+        m_target.commit();
+    }
+
+private:
+    OIIO::ImageSpec m_spec;
+    AtomicFile m_target;
+    OIIO::Filesystem::IOFile m_stream;
+    std::unique_ptr<OIIO::ImageOutput> m_output;  // goes before its stream
+    int m_rows = 0;                               // appended
+};
+
+void write_png(const std::string& file, const Image& rgb) {
+    PngFile png(file, rgb.width, rgb.height);
+    png.append(rgb, 0, 0);
+    png.finish();
 }
 
 }  // namespace
+
+struct PreviewWriter::State {
+    PngFile png;
+    PreviewSettings settings;
+};
+
+PreviewWriter::PreviewWriter(const std::string& file, int width, int height, const PreviewSettings& settings)
+    : m_state(new State{{file, width, height}, settings}) {}
+
+PreviewWriter::~PreviewWriter() = default;
+
+void PreviewWriter::append(const Image& image, int above, int below) {
+    m_state->png.append(displayed(image, m_state->settings), above, below);
+}
+
+void PreviewWriter::finish() { m_state->png.finish(); }
 
 void write_preview(const std::string& file, const Image& image, const PreviewSettings& settings) {
     write_png(file, displayed(image, settings));

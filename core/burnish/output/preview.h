@@ -4,6 +4,7 @@
 #include <burnish/base/image.h>
 #include <burnish/input/color.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,22 @@ struct PreviewSettings {
     std::string space = "scene_linear";  // colour space of the image
     std::string display, view;           // empty: the config's default
     float exposure_stops = 0;            // the light is multiplied by 2^stops
+};
+
+/// A preview whose rows are appended from the top: there when finished, else never.
+class PreviewWriter {
+public:
+    /// Throws as write_preview does.
+    PreviewWriter(const std::string& file, int width, int height, const PreviewSettings& settings);
+    ~PreviewWriter();
+
+    /// Appends the rows of `image` but `above` at its top and `below` at its bottom.
+    void append(const Image& image, int above, int below);
+    void finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
 };
 
 /// Writes linear RGB(A) as an RGB PNG; alpha is dropped, which shows associated colour over black. NaN is shown black.

@@ -2,6 +2,8 @@
 
 #include <burnish/base/parallel.h>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 
 namespace burnish {
@@ -18,6 +20,12 @@ void scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& 
     }
 }
 
+/// Of one thread, kept from tile to tile: its planes grow once.
+struct Scratch {
+    SurfaceBatch batch;
+    ShadedBatch shaded;
+};
+
 }  // namespace
 
 ShadedFrame shade_dense(const Surfaces& surfaces, const Assignment& assignment, const std::vector<MaterialShader>& shaders,
@@ -25,9 +33,9 @@ ShadedFrame shade_dense(const Surfaces& surfaces, const Assignment& assignment, 
     const int width = assignment.width, height = assignment.height;
     const bool with_error = std::any_of(shaders.begin(), shaders.end(), [](const auto& s) { return s.estimates_error(); });
     ShadedFrame frame{Image(width, height, 3), with_error ? Image(width, height, 1) : Image(), Image(width, height, 1), 0};
+    tbb::enumerable_thread_specific<Scratch> scratch;
     for_each_tile(width, height, progress, "shading", [&](const Window& tile) {
-        SurfaceBatch batch;
-        ShadedBatch shaded;
+        auto& [batch, shaded] = scratch.local();
         for (size_t rule = 0; rule < shaders.size(); ++rule) {
             surfaces.gather(tile, static_cast<int>(rule), batch);
             if (batch.size() == 0) continue;

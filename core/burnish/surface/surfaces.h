@@ -30,6 +30,7 @@ public:
     /// Frame and assignment must outlive the surfaces. Needs P, N and the camera; throws Error(missing_channel).
     Surfaces(const AovFrame& frame, const Assignment& assignment, const SurfaceSettings& settings);
 
+    /// Rows of the frame's margins count for nothing and are never valid.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
     /// Pixels per Validity.
     const std::array<size_t, kValidityCount>& counts() const { return m_counts; }
@@ -39,17 +40,28 @@ public:
     void gather(const Window& tile, int rule, SurfaceBatch& batch) const;
 
 private:
+    using Counts = std::array<size_t, kValidityCount>;
+
+    /// The frame's layers, looked up once; null where there is none.
+    struct Layers {
+        explicit Layers(const AovFrame& frame);
+        const Image *position, *normal, *geometric_normal, *depth, *tangent;
+        const Image *roughness, *anisotropy, *rotation, *tint, *weight;
+    };
+
+    void classify_rows();
     Validity classify(size_t pixel) const;
-    Vec3f tangent(const Vec3f& n, size_t pixel) const;
-    void append(size_t pixel, SurfaceBatch& batch) const;
+    void fill_hints(SurfaceBatch& batch) const;
+    void fill_geometry(SurfaceBatch& batch) const;
+    void fill_parameters(SurfaceBatch& batch) const;
 
     const AovFrame& m_frame;
     const Assignment& m_assignment;
     SurfaceSettings m_settings;
     Vec3f m_eye;
-    const Image *m_position, *m_normal;
+    Layers m_layers;
     std::vector<Validity> m_validity;
-    std::array<size_t, kValidityCount> m_counts{};
+    Counts m_counts{};
 };
 
 }  // namespace burnish

@@ -12,7 +12,8 @@ namespace {
 
 Cryptomatte cryptomatte(const std::string& name, const std::vector<std::pair<std::string, float>>& first_rank,
                         const std::vector<std::pair<std::string, float>>& second_rank) {
-    Cryptomatte result{name, {}, {}};
+    Cryptomatte result;
+    result.name = name;
     for (const auto& entries : {first_rank, second_rank}) {
         Image rank(static_cast<int>(entries.size()), 1, 2);
         for (size_t i = 0; i < entries.size(); ++i) {

@@ -64,13 +64,13 @@ TEST(Depth, GivesPositionsBack) {
 TEST(Depth, MarksEveryKindOfMiss) {
     Image depth(5, 1, 1);
     depth.data = {NAN, INFINITY, 1e10f, 0, -1};
-    for (float value : position_from_depth(depth, kCamera, {0, 0, 5, 1}, {0, 0, 5, 1}, false).data)
+    for (float value : position_from_depth(depth, kCamera, Window{0, 0, 5, 1}, {0, 0, 5, 1}, false).data)
         EXPECT_TRUE(std::isnan(value));
 }
 
 TEST(Depth, NeedsRays) {
     Camera centre_only;
-    EXPECT_THROW(position_from_depth(Image(2, 2, 1, 1.0f), centre_only, {0, 0, 2, 2}, {0, 0, 2, 2}, false), Error);
+    EXPECT_THROW(position_from_depth(Image(2, 2, 1, 1.0f), centre_only, Window{0, 0, 2, 2}, {0, 0, 2, 2}, false), Error);
 }
 
 TEST(Depth, IsToldByItsPositions) {

@@ -1,0 +1,107 @@
+#include <burnish/job/flow.h>
+
+#include <burnish/job/band_source.h>
+#include <burnish/job/flow_progress.h>
+#include <burnish/job/frame_sink.h>
+#include <burnish/job/stages.h>
+
+#include <oneapi/tbb/parallel_pipeline.h>
+
+namespace burnish {
+namespace {
+
+/// The stage between source and sink. Light and tables are made once, for the first frame, which tells which way is up.
+class BandShader {
+public:
+    BandShader(const Job& job, const ColorFlow& color, const Wardrobe& wardrobe, size_t tasks, Progress progress,
+               Report& report)
+        : m_job(job),
+          m_color(color),
+          m_wardrobe(wardrobe),
+          m_tasks(static_cast<float>(tasks)),
+          m_progress(std::move(progress)),
+          m_report(report) {}
+
+    /// Shades the band, unless its frame failed before. Throws Error(cancelled); every other error is in the band.
+    void shade(Band& band) {
+        if (m_task != band.task) m_task = band.task, m_has_failed = false;
+        m_has_failed = m_has_failed || band.failure;
+        if (m_has_failed || band.is_skipped) return;
+        try {
+            prepare(band);
+            run(band);
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::cancelled) throw;
+            band.failure = std::current_exception();
+            m_has_failed = true;
+        }
+    }
+
+    const Look* look() const { return m_look ? &*m_look : nullptr; }
+
+private:
+    void prepare(Band& band) {
+        if (m_look) return;
+        band.is_run_over = true;
+        auto light = timed(m_report.seconds, "light", [&] { return load_light(m_job, m_color, band.frame.renderer); });
+        m_report.notes = light->notes();
+        m_report.warnings.insert(m_report.warnings.end(), light->warnings().begin(), light->warnings().end());
+        m_look = timed(m_report.seconds, "tables", [&] { return prepare_look(m_job, m_wardrobe, std::move(light)); });
+        band.is_run_over = false;
+    }
+
+    void run(Band& band) {
+        const Window& rows = band.frame.data_window;
+        const float height = static_cast<float>(band.whole.height), top = static_cast<float>(rows.y - band.whole.y);
+        const float begin = (band.task + top / height) / m_tasks;
+        const Progress part = part_of(m_progress, begin, begin + rows.height / height / m_tasks);
+        band.result = run_frame(m_job, band.frame, *m_look, nullptr, part);
+    }
+
+    const Job& m_job;
+    const ColorFlow& m_color;
+    const Wardrobe& m_wardrobe;
+    float m_tasks;
+    Progress m_progress;
+    Report& m_report;
+    std::optional<size_t> m_task;  // the frame at hand
+    bool m_has_failed = false;
+    std::optional<Look> m_look;
+};
+
+}  // namespace
+
+void run_flow(const Job& job, const FlowSettings& settings, const std::vector<FrameTask>& tasks, const ColorFlow& color,
+              const Wardrobe& wardrobe, const Progress& whole, Report& report) {
+    using Item = std::shared_ptr<Band>;
+    FlowProgress progress(whole);
+    BandSource source(job, wardrobe, tasks, settings.band_pixels, progress.of(FlowStage::read));
+    BandShader shader(job, color, wardrobe, tasks.size(), progress.of(FlowStage::shade), report);
+    FrameSink sink(job, color, tasks, progress.of(FlowStage::write), report);
+
+    const auto read = [&](tbb::flow_control& control) {
+        Item band = source.next();
+        if (!band) control.stop();
+        return band;
+    };
+    const auto shade = [&](const Item& band) { return shader.shade(*band), band; };
+    const auto write = [&](const Item& band) {
+        try {
+            sink.take(*band, shader.look());
+        } catch (...) {
+            progress.stop(std::current_exception());
+            throw;
+        }
+    };
+    constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
+    try {
+        tbb::parallel_pipeline(static_cast<size_t>(settings.bands_in_flight),
+                               tbb::make_filter<void, Item>(kInOrder, read) & tbb::make_filter<Item, Item>(kInOrder, shade) &
+                                   tbb::make_filter<Item, void>(kInOrder, write));
+    } catch (...) {
+        progress.rethrow();
+        throw;
+    }
+}
+
+}  // namespace burnish
