@@ -39,7 +39,7 @@ void shade_1080p(benchmark::State& state) {
     state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-/// Arguments: mx and my in percent, roughness from a layer. What a lobe costs before its first pixel.
+/// Arguments: mx and my in percent, roughness from a layer, estimator, lookups. What a lobe costs before its first pixel.
 void make_shader(benchmark::State& state) {
     const ThreadLimit limit(2);
     const Environment light = Environment::from_image(scenes::constant_light(1), {}, "constant");
@@ -47,18 +47,25 @@ void make_shader(benchmark::State& state) {
     lobe.model = ModelId::ggx, lobe.mx = 0.01f * state.range(0), lobe.my = 0.01f * state.range(1);
     lobe.per_pixel.roughness = state.range(2) != 0;
     EstimatorSettings settings;
-    settings.samples = 16;
+    settings.kind = static_cast<EstimatorKind>(state.range(3)), settings.samples = static_cast<int>(state.range(4));
     for (auto _ : state) benchmark::DoNotOptimize(MaterialShader({"bench", Color3f(0, 0, 0), {lobe}}, light, settings));
 }
 
-constexpr EstimatorKind regular = EstimatorKind::regular, filtered_importance = EstimatorKind::filtered_importance;
+constexpr EstimatorKind fitted = EstimatorKind::fitted, regular = EstimatorKind::regular,
+                        filtered_importance = EstimatorKind::filtered_importance;
 
 }  // namespace
 
+BENCHMARK(shade_1080p<ModelId::ggx, fitted>)
+    ->ArgsProduct({{2, 4, 6}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK(shade_1080p<ModelId::kurt, regular>)
     ->ArgsProduct({{4, 8, 16}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK(shade_1080p<ModelId::beckmann, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::ggx, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::ggx, filtered_importance>)
@@ -66,10 +73,8 @@ BENCHMARK(shade_1080p<ModelId::ggx, filtered_importance>)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 BENCHMARK(make_shader)
-    ->ArgNames({"mx", "my", "layer"})
-    ->Args({10, 10, 0})
-    ->Args({30, 6, 0})
-    ->Args({10, 10, 1})
-    ->Args({30, 6, 1})
+    ->ArgNames({"mx", "my", "layer", "estimator", "lookups"})
+    ->ArgsProduct({{10, 30}, {10, 6}, {0, 1}, {static_cast<int>(regular)}, {16}})
+    ->ArgsProduct({{10, 30}, {10, 6}, {0, 1}, {static_cast<int>(fitted)}, {6}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();

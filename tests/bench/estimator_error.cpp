@@ -23,30 +23,45 @@ struct Sweep {
     std::string model = "beckmann", kernel = "binomial6";
     std::vector<float> mx{0.02f, 0.05f, 0.1f, 0.15f, 0.3f}, my, biases{-1.0f, -0.75f, -0.5f, -0.25f, 0.0f}, borders{0.0f};
     std::vector<int> samples{19};
-    std::vector<std::string> estimators{"regular", "filtered_importance"}, quadratures{"half_vector"}, patterns{"automatic"};
+    std::vector<std::string> estimators{"fitted", "regular", "filtered_importance"}, quadratures{"half_vector"},
+        patterns{"automatic"};
     bool uncorrected = false;
 };
 
 const std::map<std::string, ModelId> kModels{{"kurt", ModelId::kurt}, {"beckmann", ModelId::beckmann}, {"ggx", ModelId::ggx}};
 const std::map<std::string, PyramidKernel> kKernels{
     {"box2", PyramidKernel::box2}, {"binomial4", PyramidKernel::binomial4}, {"binomial6", PyramidKernel::binomial6}};
-const std::map<std::string, EstimatorKind> kEstimators{{"regular", EstimatorKind::regular},
-                                                       {"filtered_importance", EstimatorKind::filtered_importance}};
+const std::map<std::string, EstimatorKind> kEstimators{{"fitted", EstimatorKind::fitted},
+                                                       {"regular", EstimatorKind::regular},
+                                                       {"filtered_importance", EstimatorKind::filtered_importance},
+                                                       {"split_sum", EstimatorKind::split_sum}};
 const std::map<std::string, Quadrature> kQuadratures{
     {"half_vector", Quadrature::half_vector}, {"energy", Quadrature::energy}, {"energy_squared", Quadrature::energy_squared}};
 const std::map<std::string, PatternKind> kPatterns{
     {"automatic", PatternKind::automatic}, {"circles", PatternKind::circles}, {"offset_circles", PatternKind::offset_circles},
     {"ring", PatternKind::ring},           {"line", PatternKind::line},       {"tuned", PatternKind::tuned}};
 
-/// Root of mean (a - b)^2 over mean b^2, over the pixels the reference shaded.
-double relative_rms(const Image& image, const Image& reference, const Image& samples) {
+/// Root of mean (a - b)^2 over mean b^2, over the shaded pixels seen steeper than `max_cosine`.
+double relative_rms(const Image& image, const Image& reference, const Image& cosine, float max_cosine) {
     double square = 0, power = 0;
     for (size_t i = 0; i < image.pixel_count(); ++i) {
-        if (*samples.at(i) == 0) continue;
+        if (*cosine.at(i) <= 0 || *cosine.at(i) > max_cosine) continue;
         const double truth = reference.at(i)[1], d = image.at(i)[1] - truth;
         square += d * d, power += truth * truth;
     }
     return std::sqrt(square / power);
+}
+
+constexpr float kGrazing = 0.26f;  // cosine of 75 degrees
+
+/// wo . n of every pixel, 0 where there is no surface.
+Image view_cosines(const AovFrame& frame, const Surfaces& surfaces) {
+    const Image& normal = frame.layer(Role::normal);
+    Image cosine(normal.width, normal.height, 1);
+    SurfaceBatch batch;
+    surfaces.gather({0, 0, normal.width, normal.height}, 0, batch);
+    for (size_t i = 0; i < batch.size(); ++i) *cosine.at(static_cast<size_t>(batch.pixel[i])) = batch.wo[i].dot(batch.n[i]);
+    return cosine;
 }
 
 class Bench {
@@ -55,7 +70,8 @@ public:
         : m_sweep(sweep),
           m_frame(scenes::sphere_frame(sweep.size)),
           m_assignment(scenes::whole_frame(m_frame)),
-          m_surfaces(m_frame, m_assignment, {}) {
+          m_surfaces(m_frame, m_assignment, {}),
+          m_cosine(view_cosines(m_frame, m_surfaces)) {
         EnvironmentSettings settings;
         settings.face_size = sweep.face_size, settings.kernel = kKernels.at(sweep.kernel);
         for (const std::string& file : sweep.files) m_lights.push_back(Environment::load(file, settings));
@@ -81,28 +97,29 @@ private:
     }
 
     void sweep_estimator(const std::string& name, const LobeParameters& lobe) const {
-        const bool regular = name == "regular";
+        const bool regular = name == "regular", biased = regular || name == "filtered_importance";
         const std::vector<std::string> one{"-"};
         for (const int samples : m_sweep.samples)
             for (const std::string& quadrature : regular ? m_sweep.quadratures : one)
                 for (const std::string& pattern : regular ? m_sweep.patterns : one)
                     for (const float border : regular ? m_sweep.borders : std::vector<float>{0})
-                        for (const float bias : m_sweep.biases) {
+                        for (const float bias : biased ? m_sweep.biases : std::vector<float>{0}) {
                             EstimatorSettings settings;
                             settings.kind = kEstimators.at(name), settings.samples = samples, settings.level_bias = bias;
                             settings.border = border, settings.albedo_correction = !m_sweep.uncorrected;
                             if (regular)
                                 settings.quadrature = kQuadratures.at(quadrature), settings.pattern = kPatterns.at(pattern);
-                            double error = 0, lookups = 0;
+                            double error = 0, grazing = 0, lookups = 0;
                             for (size_t i = 0; i < m_lights.size(); ++i) {
                                 const ShadedFrame result = shade(m_lights[i], settings);
-                                error += relative_rms(result.overlay, m_references[i].overlay, m_references[i].samples) /
-                                         m_lights.size();
+                                const Image& truth = m_references[i].overlay;
+                                error += relative_rms(result.overlay, truth, m_cosine, 1) / m_lights.size();
+                                grazing += relative_rms(result.overlay, truth, m_cosine, kGrazing) / m_lights.size();
                                 lookups = *std::max_element(result.samples.data.begin(), result.samples.data.end());
                             }
-                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f\n", m_sweep.model.c_str(), lobe.mx, lobe.my,
+                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f,%.5f\n", m_sweep.model.c_str(), lobe.mx, lobe.my,
                                         name.c_str(), quadrature.c_str(), pattern.c_str(), samples, lookups, border, bias,
-                                        !m_sweep.uncorrected, error);
+                                        !m_sweep.uncorrected, error, grazing);
                             std::fflush(stdout);
                         }
     }
@@ -111,6 +128,7 @@ private:
     AovFrame m_frame;
     Assignment m_assignment;
     Surfaces m_surfaces;
+    Image m_cosine;
     std::vector<Environment> m_lights;
     Material m_material;
     std::vector<ShadedFrame> m_references;
@@ -134,7 +152,9 @@ int main(int argc, char** argv) {
     app.add_option("--samples", sweep.samples, "lookups")->delimiter(',')->capture_default_str();
     app.add_option("--biases", sweep.biases, "level biases")->delimiter(',')->capture_default_str();
     app.add_option("--borders", sweep.borders, "xi0; 0 = default")->delimiter(',')->capture_default_str();
-    app.add_option("--estimators", sweep.estimators, "regular, filtered_importance")->delimiter(',')->capture_default_str();
+    app.add_option("--estimators", sweep.estimators, "fitted, regular, filtered_importance, split_sum")
+        ->delimiter(',')
+        ->capture_default_str();
     app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")
         ->delimiter(',')
         ->capture_default_str();
@@ -143,7 +163,8 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--uncorrected", sweep.uncorrected, "without the albedo correction");
     CLI11_PARSE(app, argc, argv);
-    std::puts("model,mx,my,estimator,quadrature,pattern,samples,lookups,border,level_bias,corrected,relative_rms");
+    std::puts(
+        "model,mx,my,estimator,quadrature,pattern,samples,lookups,border,level_bias,corrected,relative_rms,beyond_75_deg");
     Bench bench(sweep);
     for (size_t i = 0; i < sweep.mx.size(); ++i) bench.run(sweep.mx[i], i < sweep.my.size() ? sweep.my[i] : sweep.mx[i]);
     return 0;

@@ -28,11 +28,16 @@ SurfaceBatch points_at(const std::vector<float>& angles_deg) {
     return batch;
 }
 
+const char* estimator_name(EstimatorKind kind) {
+    if (kind == EstimatorKind::fitted) return "fitted";
+    return kind == EstimatorKind::regular ? "regular" : "filtered_importance";
+}
+
 void print_rows(const char* name, const LobeParameters& lobe, const Environment& light, const EstimatorSettings& settings) {
     const SurfaceBatch batch = points_at(kAngles_deg);
     ShadedBatch out;
     MaterialShader({"furnace", Color3f(0, 0, 0), {lobe}}, light, settings).shade(batch, out);
-    std::printf("%-8s %-20s %-10s %5.2f", name, settings.kind == EstimatorKind::regular ? "regular" : "filtered_importance",
+    std::printf("%-8s %-20s %-10s %5.2f", name, estimator_name(settings.kind),
                 settings.albedo_correction ? "corrected" : "plain", lobe.mx);
     for (size_t i = 0; i < batch.size(); ++i)
         std::printf(" %7.2f", 100 * (out.overlay[i].y / directional_albedo(lobe, batch.wo[i], 1 << 16).y - 1));
@@ -49,7 +54,7 @@ int main(int argc, char** argv) {
     for (const float angle : kAngles_deg) std::printf(" %4.0f deg", angle);
     std::printf("\n");
     for (const ModelId model : {ModelId::kurt, ModelId::beckmann, ModelId::ggx})
-        for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance})
+        for (const EstimatorKind kind : {EstimatorKind::fitted, EstimatorKind::regular, EstimatorKind::filtered_importance})
             for (const bool corrected : {false, true})
                 for (const float m : kWidths) {
                     LobeParameters lobe;
@@ -57,7 +62,7 @@ int main(int argc, char** argv) {
                     if (model == ModelId::kurt) lobe.extra = {0.0f};
                     EstimatorSettings settings;
                     settings.kind = kind, settings.albedo_correction = corrected;
-                    settings.samples = argc > 1 ? std::atoi(argv[1]) : 19;
+                    settings.samples = argc > 1 ? std::atoi(argv[1]) : 0;
                     print_rows(model == ModelId::kurt  ? "kurt a=0"
                                : model == ModelId::ggx ? "ggx"
                                                        : "beckmann",

@@ -128,7 +128,7 @@ TEST(ShotFile, TakesPathsFromItsOwnFolder) {
 
 TEST(ShotFile, NamesThePathToWhatIsWrong) {
     const auto message = [](const json& document) { return message_of([&] { job_from_json(document, "s.json"); }); };
-    EXPECT_NE(message({{"quality", {{"samples", 0}}}}).find("s.json: quality.samples: expected a whole number in [1, 4096]"),
+    EXPECT_NE(message({{"quality", {{"samples", -1}}}}).find("s.json: quality.samples: expected a whole number in [0, 4096]"),
               std::string::npos);
     EXPECT_NE(message({{"qualty", json::object()}}).find("did you mean \"quality\""), std::string::npos);
     EXPECT_NE(message({{"lights", {{"sky", {{"rotat", 3}}}}}})

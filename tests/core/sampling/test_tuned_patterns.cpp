@@ -32,7 +32,7 @@ SurfaceBatch sphere_points(int count) {
 
 EstimatorSettings regular(PatternKind pattern, int samples) {
     EstimatorSettings settings;
-    settings.pattern = pattern, settings.samples = samples;
+    settings.kind = EstimatorKind::regular, settings.pattern = pattern, settings.samples = samples;
     return settings;
 }
 
