@@ -3,16 +3,22 @@
 #include <burnish/base/error.h>
 #include <burnish/light/gaussian_blur.h>
 
+#include <algorithm>
+#include <numbers>
 #include <string>
 
 namespace burnish {
 namespace {
 
-constexpr double kTexelPerSigma = 0.75;  // at a face's centre
-constexpr double kWidestSigma = 0.99;    // the last level is the first beyond this
-constexpr double kSumSigma = 0.35;       // from here on, a Gaussian of a Gaussian is no Gaussian: sums over a much finer level
+constexpr double kTexelPerSigma[] = {0.75, 0.5};                      // at a face's centre, of fine and of dense levels
+constexpr double kStep[] = {std::numbers::sqrt2, 1.189207115002721};  // from one width to the next: 2^(1/2) and 2^(1/4)
+constexpr double kDenseSigma =
+    0.028;                         // from here on levels are small, so they can be dense: blends of two are then true Gaussians
+constexpr double kTapRatio = 1.5;  // a level comes by taps from one that is at most so much narrower, and at least kStep[1]
+constexpr double kWidestSigma = 0.99;  // the last level is the first beyond this
+constexpr double kSumSigma = 0.35;     // from here on, a Gaussian of a Gaussian is no Gaussian: sums over a much finer level
 constexpr double kTooWideSigma = 1.5;
-constexpr int kSumLevelsBack = 3;
+constexpr double kSumRatio = 2.8;  // by sums, from one that is at least so much narrower
 constexpr int kSmallestSize = 16;
 
 void check_faces(const std::array<Image, 6>& faces) {
@@ -43,17 +49,29 @@ std::vector<Planned> planned_levels(int map_size) {
     std::vector<Planned> levels = {planned_map(map_size)};
     double sigma = texel_width(map_size);
     while (levels.back().sigma < kWidestSigma && sigma < kTooWideSigma) {
-        const int fitting = levels.size() == 1 ? map_size : 2 * static_cast<int>(std::ceil(1.0 / (kTexelPerSigma * sigma)));
+        const bool dense = sigma >= kDenseSigma;
+        const int fitting =
+            levels.size() == 1 ? map_size : 2 * static_cast<int>(std::ceil(1.0 / (kTexelPerSigma[dense] * sigma)));
         levels.push_back({std::max(kSmallestSize, fitting), sigma, versine_of_sigma(sigma)});
-        sigma *= std::numbers::sqrt2;
+        sigma *= kStep[dense];
     }
     return levels;
 }
 
+/// The last level at least `ratio` narrower than level k; the map if there is none.
+int narrower(const std::vector<Planned>& levels, int k, double ratio) {
+    int from = k - 1;
+    while (from > 0 && levels[from].sigma * ratio > levels[k].sigma) --from;
+    return from;
+}
+
 void make_level(const std::vector<Planned>& levels, int k, CubeStack& stack) {
     const double target = levels[k].versine;
-    if (k > 2 && levels[k].sigma < kSumSigma) return blur_by_taps(stack[k - 1], {target, levels[k - 1].versine, 0.0}, stack[k]);
-    const int from = k == 2 ? 1 : std::max(0, k - kSumLevelsBack);
+    if (k > 2 && levels[k].sigma < kSumSigma) {
+        const int from = levels[k].sigma <= kTapRatio * levels[k - 2].sigma ? k - 2 : k - 1;
+        return blur_by_taps(stack[from], {target, levels[from].versine, 0.0}, stack[k]);
+    }
+    const int from = k == 2 ? 1 : narrower(levels, k, kSumRatio);
     const double width2 = texel_width(levels[from].size) * texel_width(levels[from].size);
     if (from == 0) return blur_by_sum(stack[0], {target, 0.0, width2 / 12.0}, stack[k]);
     const double tent = width2 / 6.0 * kMeanTexelMetric;  // part of lookups, not of texel values
@@ -73,17 +91,14 @@ GaussianStack::GaussianStack(const std::array<Image, 6>& faces) {
     m_stack = CubeStack(sizes);
     m_stack[0].fill(faces);
     for (int k = 1; k < m_stack.level_count(); ++k) make_level(levels, k, m_stack);
-    m_first_sigma = static_cast<float>(texel_width(faces[0].width));
 }
 
 float GaussianStack::level(float sigma) const {
-    const int last = m_stack.level_count() - 1;
-    if (!(sigma > 0.0f) || last < 1) return 0.0f;
-    const float octaves = std::clamp(2.0f * std::log2(sigma / m_first_sigma), -1.0f, static_cast<float>(last - 2));
-    const int k = 1 + static_cast<int>(std::floor(octaves));
-    const float versine = static_cast<float>(versine_of_sigma(std::min(sigma, 10.0f)));
-    const float blend = (versine - m_versines[k]) / (m_versines[k + 1] - m_versines[k]);
-    return static_cast<float>(k) + std::clamp(blend, 0.0f, 1.0f);
+    if (!(sigma > 0.0f) || m_versines.size() < 2) return 0.0f;
+    const auto versine = static_cast<float>(versine_of_sigma(std::min(sigma, 10.0f)));
+    const auto wider = std::upper_bound(m_versines.begin() + 1, m_versines.end() - 1, versine);
+    const float near = *(wider - 1), far = *wider;
+    return static_cast<float>(wider - 1 - m_versines.begin()) + std::clamp((versine - near) / (far - near), 0.0f, 1.0f);
 }
 
 float GaussianStack::sigma(float level) const {

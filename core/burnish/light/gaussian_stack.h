@@ -1,10 +1,11 @@
 // Distant light convolved with spherical Gaussians exp((cos - 1) / sigma^2) of every width: one trilinear lookup reads one.
 //
-// Level 0 is the map as it is. From level 1 on the widths grow by sqrt(2), and a texel at a face's centre is no wider than
-// 3/4 sigma (sigma on level 1, the first that the map can hold). A level's width is that of its lookups: the texels' own
-// area, the kernels and the bilinear tent together, as a mean versine (gaussian_width.h), which a blend of two levels keeps.
-// Levels 1 and 2 are sums over texels, the next ones come from the one before by a few lookups a texel, and those wider than
-// 1/3 are sums over a level of a third of the width: there a Gaussian of a Gaussian is no Gaussian any more.
+// Level 0 is the map as it is. From level 1 on the widths grow by sqrt(2), and from 1.6 degrees on, where levels are small, by its
+// root, so that a blend of two is as good as a Gaussian. A texel at a face's centre is no wider than 3/4 sigma, then 1/2
+// (sigma on level 1, the first that the map can hold). A level's width is that of its lookups: the texels' own area, the
+// kernels and the bilinear tent together, as a mean versine (gaussian_width.h), which a blend of two levels keeps. Levels 1 and
+// 2 are sums over texels, the next ones come from one sqrt(2) narrower by a few lookups a texel, and those wider than 1/3 are
+// sums over a level of a third of the width: there a Gaussian of a Gaussian is no Gaussian any more.
 #pragma once
 
 #include <burnish/light/cube_stack.h>
@@ -30,7 +31,6 @@ public:
 private:
     CubeStack m_stack;
     std::vector<float> m_versines;  // of the levels' lookups
-    float m_first_sigma = 0.0f;     // of level 1
 };
 
 }  // namespace burnish

@@ -70,15 +70,16 @@ Color3f harmonics(const Vec3f& d) {
 
 }  // namespace
 
-TEST(GaussianStack, WidthsGrowBySqrtTwoOnTexelsOfThreeQuarters) {
+TEST(GaussianStack, WidthsGrowEvenlyOnTexelsThatHoldThem) {
     const GaussianStack stack(constant_faces(256, {1, 1, 1}));
     EXPECT_NEAR(stack.sigma(1.0f), 2.0f / 256, 1e-6f);
     for (int level = 2; level < stack.stack().level_count(); ++level) {
-        const float sigma = stack.sigma(static_cast<float>(level));
-        EXPECT_NEAR(sigma / stack.sigma(static_cast<float>(level - 1)), std::numbers::sqrt2, 1e-3) << level;
-        EXPECT_LE(2.0f / static_cast<float>(stack.stack()[level].size()), 0.751f * sigma) << level;
+        const float sigma = stack.sigma(static_cast<float>(level)), narrower = stack.sigma(static_cast<float>(level - 1));
+        const bool dense = narrower > 0.028f;
+        EXPECT_NEAR(sigma / narrower, dense ? std::pow(2.0, 0.25) : std::numbers::sqrt2, 1e-3) << level;
+        EXPECT_LE(2.0f / static_cast<float>(stack.stack()[level].size()), (dense ? 0.501f : 0.751f) * sigma) << level;
     }
-    EXPECT_NEAR(stack.sigma(100.0f), 1.0f, 1e-3f);
+    EXPECT_GT(stack.sigma(100.0f), 0.99f);
 }
 
 TEST(GaussianStack, LevelAndSigmaAreInverse) {
@@ -130,9 +131,9 @@ TEST(GaussianStack, ATexelBecomesTheGaussianWhereverItIs) {
     for (const auto& [x, y] : {std::array{n / 2, n / 2}, {0, n / 2}, {0, 0}, {n / 4, n / 8}}) {
         const GaussianStack stack(one_texel(n, x, y));
         const Vec3f centre = cube_direction(2, (x + 0.5f) / n, (y + 0.5f) / n);
-        for (float level = 6; level <= static_cast<float>(stack.stack().level_count() - 1); level += 0.5f) {
+        for (float level = 7; level <= static_cast<float>(stack.stack().level_count() - 1); level += 0.5f) {
             const Response r = response(stack, centre, level);
-            EXPECT_LT(r.error, level == std::floor(level) ? 0.11 : 0.2) << x << " " << y << " level " << level;
+            EXPECT_LT(r.error, 0.09) << x << " " << y << " level " << level;
             EXPECT_NEAR(r.energy, 1.0, 0.025) << x << " " << y << " level " << level;
             EXPECT_NEAR(std::sqrt(r.versine / r.expected), 1.0, 0.01) << x << " " << y << " level " << level;
         }
