@@ -9,10 +9,11 @@
 namespace burnish {
 namespace {
 
+using Eigen::ArrayXf;
 using Eigen::Index;
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
-using Plane = Eigen::Map<const Eigen::ArrayXf>;
+using Plane = Eigen::Map<const ArrayXf>;
 
 Plane plane(const std::vector<float>& values) { return {values.data(), static_cast<Index>(values.size())}; }
 
@@ -46,8 +47,13 @@ private:
     };
 
     Index points() const { return m_x.size(); }
+    ArrayXf along(const Vec3f& v) const { return m_x * v.x + m_y * v.y + m_z * v.z; }
+    /// 1 - wi . d, without the loss of digits that the cosine has for lobes as narrow as a mirror's.
+    ArrayXf versine(const Vec3f& d) const {
+        return 0.5f * ((m_x - d.x).square() + (m_y - d.y).square() + (m_z - d.z).square());
+    }
     State evaluate(const std::vector<GaussianTap>& taps) const;
-    VectorXf target(const Eigen::ArrayXf& value, float albedo, Index taps) const;
+    VectorXf target(const ArrayXf& value, float albedo, Index taps) const;
     MatrixXf jacobian(const std::vector<GaussianTap>& taps, const State& state) const;
     std::vector<GaussianTap> moved(const std::vector<GaussianTap>& taps, const VectorXf& step) const;
     void set_weights(const State& state, std::vector<GaussianTap>& taps) const;
@@ -56,7 +62,7 @@ private:
     Vec3f m_wo;
     int m_unknowns;  // per tap
     Plane m_x, m_y, m_z, m_root_area;
-    Eigen::ArrayXf m_luminance;
+    ArrayXf m_luminance;
     float m_albedo, m_power;
 };
 
@@ -74,7 +80,7 @@ Fit::State Fit::evaluate(const std::vector<GaussianTap>& taps) const {
         const Vec3f d = tap_direction(m_wo, tap.sx, tap.sy);
         const float k = 1 / (std::exp(2 * tap.log_sigma) + m_lobe.blur * m_lobe.blur),
                     norm = k / (2 * kPi * (1 - std::exp(-2 * k)));
-        state.basis.col(i).head(rows) = (k * (m_x * d.x + m_y * d.y + m_z * d.z - 1)).exp() * m_root_area * norm;
+        state.basis.col(i).head(rows) = (-k * versine(d)).exp() * m_root_area * norm;
     }
     const float unit = std::sqrt(m_power) / m_albedo;
     state.basis.row(rows).setConstant(std::sqrt(kEnergy) * unit);
@@ -86,7 +92,7 @@ Fit::State Fit::evaluate(const std::vector<GaussianTap>& taps) const {
     return state;
 }
 
-VectorXf Fit::target(const Eigen::ArrayXf& value, float albedo, Index taps) const {
+VectorXf Fit::target(const ArrayXf& value, float albedo, Index taps) const {
     VectorXf wanted = VectorXf::Zero(points() + 1 + taps);
     wanted.head(points()) = (value * m_root_area).matrix();
     wanted[points()] = std::sqrt(kEnergy * m_power) * albedo / m_albedo;
@@ -102,11 +108,11 @@ MatrixXf Fit::jacobian(const std::vector<GaussianTap>& taps, const State& state)
         const Vec3f d = tap_direction(m_wo, tap.sx, tap.sy);
         const DirectionSlopes slopes = direction_slopes(m_wo, tap.sx, tap.sy);
         const float variance = std::exp(2 * tap.log_sigma), k = 1 / (variance + m_lobe.blur * m_lobe.blur);
-        const Eigen::ArrayXf gaussian = state.basis.col(i).head(rows).array() * state.weights[i];
-        const auto along = [&](const Vec3f& v) { return m_x * v.x + m_y * v.y + m_z * v.z; };
-        change.col(i).head(rows) = gaussian * k * along(slopes.x);
-        change.col(n + i).head(rows) = gaussian * (-2 * k * (along(d) - 1) - 2) * (k * variance);
-        if (m_unknowns == 3) change.col(2 * n + i).head(rows) = gaussian * k * along(slopes.y);
+        const ArrayXf gaussian = state.basis.col(i).head(rows).array() * state.weights[i];
+        const auto turned = [&](const Vec3f& slope) -> ArrayXf { return gaussian * k * (along(slope) - d.dot(slope)); };
+        change.col(i).head(rows) = turned(slopes.x);
+        change.col(n + i).head(rows) = gaussian * (2 * k * versine(d) - 2) * (k * variance);
+        if (m_unknowns == 3) change.col(2 * n + i).head(rows) = turned(slopes.y);
     }
     const Eigen::MatrixXd normal = (state.basis.transpose() * state.basis).cast<double>();
     const MatrixXf part = normal.ldlt().solve((state.basis.transpose() * change).cast<double>()).cast<float>();
