@@ -8,8 +8,9 @@
 namespace burnish {
 namespace {
 
-constexpr float kAnchorCosine = 0.5f;    // paths start at 60 degrees: the lobe is long enough there to tell the taps apart
+constexpr float kAnchorCosine = 0.5f;    // 60 degrees: a round lobe's image is long enough there to tell the taps apart
 constexpr float kGrazingCosine = 0.01f;  // lower views take the half vectors of this one
+constexpr float kFade = 1.25f;           // a tap sets within so many of its own widths
 constexpr int kFitEvery[] = {4, 8, 4};   // views, azimuths and widths that are fitted; those between are interpolated
 
 using Path = std::vector<GaussianTaps>;  // along the view axis, at one azimuth and one width
@@ -61,7 +62,7 @@ public:
           m_azimuths(table.axes()[1], kFitEvery[1]),
           m_widths(table.axes()[2], kFitEvery[2]) {
         m_lobe.strength = 1, m_lobe.tint = Color3f(1), m_lobe.rotation = 0, m_lobe.per_pixel = {};
-        while (m_anchor + 1 < m_views.count() && view(m_views.stride_of(m_anchor)).z > kAnchorCosine) ++m_anchor;
+        while (in_plane() && view(m_views.stride_of(m_anchor)).z > kAnchorCosine) ++m_anchor;
         const std::vector<GaussianTaps> anchors = fit_anchors();
         m_paths.resize(anchors.size());
         for_each_index(path_count(), [&](int path) {
@@ -96,19 +97,18 @@ private:
         return m_azimuths.stride_of(path % m_azimuths.count()) + m_widths.stride_of(path / m_azimuths.count());
     }
 
-    /// One after the other, each starting from the one before, so that taps keep their order over the whole table.
+    /// Where paths start. A long lobe's taps tell themselves apart from above, where all azimuths are one; a round lobe's do at
+    /// m_anchor. Widths one after the other, each from the one before, so that taps keep their order over the whole table.
     std::vector<GaussianTaps> fit_anchors() const {
         std::vector<GaussianTaps> anchors;
-        for (int path = 0; path < path_count(); ++path) {
+        for (int width = 0; width < m_widths.count(); ++width) {
+            const int path = width * m_azimuths.count(), narrower = path - m_azimuths.count();
             const LobeParameters lobe = lobe_at(path);
-            const int narrower = path - m_azimuths.count();
             GaussianTaps near;
-            if (path % m_azimuths.count() > 0)
-                near = anchors.back();
-            else if (narrower >= 0)
-                near = scaled(anchors[static_cast<size_t>(narrower)], lobe_at(narrower), lobe);
+            if (width > 0) near = scaled(anchors.back(), lobe_at(narrower), lobe);
             const Vec3f wo = view(first_node(path) + m_views.stride_of(m_anchor));
-            anchors.push_back(fit_view(lobe, wo, in_plane(), m_table.tap_count(), near));
+            const GaussianTaps anchor = fit_view(lobe, wo, in_plane(), m_table.tap_count(), near);
+            anchors.insert(anchors.end(), static_cast<size_t>(m_azimuths.count()), anchor);
         }
         return anchors;
     }
@@ -145,7 +145,8 @@ TapTable fitted_table(const LobeParameters& lobe, int taps, const GaussianStack&
         for (const GaussianTap& tap : fit.at(view, azimuth, width)) {
             Vec3f wi = tap_direction(table.node_point(node).wo, tap.sx, tap.sy);
             wi.z *= table.side_sign();
-            lookups.push_back({wi, light.level(std::exp(tap.log_sigma)), tap.weight});
+            const float sigma = std::exp(tap.log_sigma);
+            lookups.push_back({wi, light.level(sigma), tap.weight, 1 / (kFade * sigma)});
         }
         table.set(node, lookups);
     });

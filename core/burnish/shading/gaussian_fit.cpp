@@ -1,6 +1,7 @@
 #include <burnish/shading/gaussian_fit.h>
 
 #include <burnish/material/microfacet.h>
+#include <burnish/shading/lobe_image.h>
 
 #include <Eigen/Cholesky>
 

@@ -1,9 +1,7 @@
 // Where the fit of a lobe begins: a short line of equal Gaussians along the lobe's longer axis.
 //
-// To first order the lobe is the image of the slopes' Gaussian under reflection. With J = d reflect(wo, h) / d(sx, sy) at the
-// mirror direction (2 in the plane of incidence, 2 cos theta_o across it) and M = diag(mx^2, my^2) / 2 the slopes' covariance,
-// the image has covariance J M J^T: its longer axis is the line, its shorter one the Gaussians' width. Anisotropic materials
-// are included: the axis turns with the view.
+// The line runs along the longer axis of the lobe's image (lobe_image.h), each Gaussian as wide as the shorter one: what
+// `probes` are elsewhere, and what the fit improves.
 #pragma once
 
 #include <burnish/shading/gaussian_fit.h>

@@ -15,7 +15,7 @@ constexpr Start kStarts[] = {{1.4f, 1.0f}, {2.0f, 1.0f}, {1.2f, 2.5f}};
 }  // namespace
 
 GaussianTaps fit_view(const LobeParameters& lobe, const Vec3f& wo, bool in_plane, int taps, const GaussianTaps& near) {
-    const LobeQuadrature quadrature = lobe_quadrature(lobe, wo, in_plane);
+    const LobeQuadrature quadrature = lobe_quadrature(lobe, wo, in_plane, taps);
     GaussianTaps best;
     float best_residual = 0;
     const auto attempt = [&](GaussianTaps start) {
@@ -35,7 +35,8 @@ std::vector<GaussianTaps> fit_path(const LobeParameters& lobe, std::span<const V
     fits[anchor] = start;
     const auto follow = [&](size_t view, size_t neighbour) {
         fits[view] = fits[neighbour];
-        fit_gaussians(lobe_quadrature(lobe, views[view], in_plane), views[view], in_plane, kNextSteps, fits[view]);
+        fit_gaussians(lobe_quadrature(lobe, views[view], in_plane, static_cast<int>(start.size())), views[view], in_plane,
+                      kNextSteps, fits[view]);
     };
     for (size_t view = anchor; view-- > 0;) follow(view, view + 1);
     for (size_t view = anchor + 1; view < views.size(); ++view) follow(view, view - 1);

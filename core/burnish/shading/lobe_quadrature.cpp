@@ -1,6 +1,7 @@
 #include <burnish/shading/lobe_quadrature.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/shading/lobe_image.h>
 
 #include <algorithm>
 
@@ -11,6 +12,7 @@ constexpr int kCircles = 24, kAzimuths = 24;
 constexpr float kShareBeyond = 1e-5f;             // of the lobe's slopes that the grid leaves out
 constexpr float kFarthest = 4.0f;                 // slope widths: where taps of a long tail still make a difference
 constexpr float kFinest = 0.4f, kGrazing = 0.1f;  // of the width of the lobe's image, which narrows as the cosine
+constexpr float kGap = 1.2f;  // deviations of a row of n Gaussians are this over n, of the lobe's longer one
 
 struct GridPoint {
     float u, v, area;  // normalised slopes, and their area
@@ -58,10 +60,13 @@ LobeQuadrature sharp_quadrature(const LobeParameters& parameters, const Vec3f& w
     });
 }
 
-/// A degree, more for wide lobes, and less for lobes that are not much wider themselves.
-float blur_for(const LobeParameters& lobe) {
-    const float width = std::sqrt(2.0f) * std::max(lobe.mx, lobe.my);
-    return std::min(0.01f + 0.035f * width, 0.35f * width);
+/// A degree, more for wide lobes and less for lobes that are not much wider themselves; and where a row of so many Gaussians as
+/// narrow as the lobe would leave gaps, as much as closes them: light that falls into gaps is worse than a wider lobe.
+float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
+    const LobeImage image = lobe_image(wo, lobe.mx, lobe.my);
+    const float detail = 0.01f + 0.05f * image.major, gap = kGap * image.major / static_cast<float>(taps);
+    const float closing = std::sqrt(std::max(gap * gap - image.minor * image.minor, 0.0f));
+    return std::min(std::max(detail, closing), 0.35f * image.major);
 }
 
 /// What a blur of the light by `blur` rad widens the slopes by, as the widths' squares: 2 blur^2 (J^T J)^-1, J = d wi / d slopes.
@@ -73,19 +78,9 @@ Vec2f widening(const Vec3f& wo, float blur) {
 
 }  // namespace
 
-DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy) {
-    const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
-    const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
-    const auto along = [&](const Vec3f& axis) {
-        const Vec3f dh = (axis - h * h.dot(axis)) * cos_h;
-        return (h * wo.dot(dh) + dh * wo.dot(h)) * 2.0f;
-    };
-    return {along({1, 0, 0}), along({0, 1, 0})};
-}
-
-LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
+LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half, int taps) {
     const LobeQuadrature sharp = sharp_quadrature(parameters, wo, half);
-    const float blur = blur_for(parameters);
+    const float blur = blur_for(parameters, wo, taps);
     const Vec2f wider = widening(wo, blur);
     LobeParameters blurred = parameters;
     blurred.mx = std::sqrt(parameters.mx * parameters.mx + wider.x);

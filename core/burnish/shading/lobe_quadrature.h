@@ -29,13 +29,7 @@ struct LobeQuadrature {
 };
 
 /// The lobe (its mx, my as given) from wo (local, wo.z > 0). `half`: only y >= 0, of twice the area, for lobes and views that
-/// are symmetric about the plane y = 0.
-LobeQuadrature lobe_quadrature(const LobeParameters& lobe, const Vec3f& wo, bool half);
-
-/// d reflect(wo, h) / d sx and d sy at h ~ (sx, sy, 1).
-struct DirectionSlopes {
-    Vec3f x, y;
-};
-DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy);
+/// are symmetric about the plane y = 0. `taps`: how many Gaussians it is to be fitted by, which sets the blur.
+LobeQuadrature lobe_quadrature(const LobeParameters& lobe, const Vec3f& wo, bool half, int taps);
 
 }  // namespace burnish

@@ -66,8 +66,8 @@ struct MaterialShader::LobeShader {
             Color3f sum(0, 0, 0);
             for (const Tap& tap : taps) {
                 const Vec3f d = point.frame.to_world(tap.wi);
-                if (point.sees(tap.wi, side_sign))
-                    sum += tap.weight * stack.lookup(d, tap.level + distortion * cube_distortion(d));
+                const float share = visible_share(tap.wi.z * side_sign, point.ng.dot(tap.wi) * side_sign, tap.edge);
+                if (share > 0) sum += tap.weight * share * stack.lookup(d, tap.level + distortion * cube_distortion(d));
             }
             out.overlay[i] += sum * point.scale * light.gain();
             out.samples[i] += static_cast<float>(taps.size());

@@ -26,7 +26,7 @@ std::vector<RoundGaussian> round_lobe(LobeParameters lobe) {
     std::vector<GaussianTap> taps;
     for (int i = 0; i < kGaussians; ++i)
         taps.push_back({0, 0, std::log(lobe.mx * std::exp2(static_cast<float>(i) / 2 - 0.5f)), Color3f(0)});
-    const LobeQuadrature quadrature = lobe_quadrature(lobe, wo, true);
+    const LobeQuadrature quadrature = lobe_quadrature(lobe, wo, true, kGaussians);
     fit_gaussians(quadrature, wo, true, kFitSteps, taps);
     std::vector<RoundGaussian> result;
     float sum = 0;

@@ -14,6 +14,15 @@ HWY_INLINE V3 pixel_vector(const PixelBlock::Planes& planes, size_t pixel) {
     return {constant(planes[0][pixel]), constant(planes[1][pixel]), constant(planes[2][pixel])};
 }
 
+/// As visible_share in tap.h.
+HWY_INLINE VF visible_shares(VF above_n, VF above_ng, VF edge) {
+    const VF zero = constant(0.0f), one = constant(1.0f), half_edge = hn::Mul(constant(0.5f), edge);
+    const auto clamped = [&](VF x) { return hn::Min(hn::Max(x, zero), one); };
+    const auto share = [&](VF x) { return clamped(hn::MulAdd(x, half_edge, constant(0.5f))); };
+    const VF seen = hn::IfThenElse(hn::Lt(edge, constant(kHardEdge / 2)), share(above_n), one);
+    return clamped(hn::Sub(one, hn::Div(hn::Sub(seen, share(above_ng)), hn::Max(seen, constant(kLeastShare)))));
+}
+
 /// Queues taps [first, first + count) of a pixel at entries `at` and on: interpolated between nodes, turned into light axes.
 HWY_INLINE void queue_pixel(const TableShading& shading, const PixelBlock& block, size_t pixel, size_t first, size_t count,
                             size_t at, TapQueue& queue) {
@@ -34,8 +43,8 @@ HWY_INLINE void queue_pixel(const TableShading& shading, const PixelBlock& block
         const V3 h{field[TapTable::h_x], field[TapTable::h_y], field[TapTable::h_z]};
         const VF wo_h = dot(wo_local, h);
         const V3 wi = (t * h.x + b * h.y + n * h.z) * hn::Add(wo_h, wo_h) - wo * dot(h, h);
-        const auto seen = hn::Gt(dot(ng, wi), hn::Zero(d));
-        const auto weight = [&](TapTable::Field f) { return hn::IfThenElseZero(seen, field[f]); };
+        const VF share = visible_shares(dot(n, wi), dot(ng, wi), field[TapTable::edge]);
+        const auto weight = [&](TapTable::Field f) { return hn::Mul(share, field[f]); };
         hn::StoreInterleaved4(weight(TapTable::weight_r), weight(TapTable::weight_g), weight(TapTable::weight_b), hn::Zero(d),
                               d, queue.weight[at]);
         queue_taps(shading.stack.layout(), shading.distortion, wi, field[TapTable::level], at, queue);

@@ -93,7 +93,8 @@ void TapTable::set(int node, std::span<const Tap> taps) {
                                                 tap.level,
                                                 tap.weight.x,
                                                 tap.weight.y,
-                                                tap.weight.z};
+                                                tap.weight.z,
+                                                tap.edge};
         for (int field = 0; field < kFields; ++field) data[field * m_padded + i] = fields[field];
     }
 }
@@ -137,7 +138,7 @@ void TapTable::at(const ShadingPoint& point, std::span<Tap> taps) const {
         const auto field = [&](Field f) { return sum[f * m_padded + i]; };
         const Vec3f h(field(h_x), field(h_y), field(h_z));
         const Vec3f wi = h * (2 * point.wo.dot(h)) - point.wo * h.length2();
-        taps[i] = {mirrored_z(wi, m_side_sign), field(level), {field(weight_r), field(weight_g), field(weight_b)}};
+        taps[i] = {mirrored_z(wi, m_side_sign), field(level), {field(weight_r), field(weight_g), field(weight_b)}, field(edge)};
     }
 }
 

@@ -46,7 +46,7 @@ public:
     void at(const ShadingPoint& point, std::span<Tap> taps) const;
 
     /// Fields of a node, each `padded_taps()` floats, one after the other: taps are the lanes of a SIMD kernel.
-    enum Field { h_x, h_y, h_z, level, weight_r, weight_g, weight_b, kFields };
+    enum Field { h_x, h_y, h_z, level, weight_r, weight_g, weight_b, edge, kFields };
     int padded_taps() const { return m_padded; }
     int node_floats() const { return m_padded * kFields; }
     /// The first node; the others follow.

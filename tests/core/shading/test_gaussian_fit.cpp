@@ -57,7 +57,7 @@ TEST_P(FittedLobe, ResidualIsTheErrorOverTheSphere) {
     for (const float theta : {0.0f, 40.0f, 70.0f}) {
         const Vec3f wo = view(theta);
         GaussianTaps taps = fit_view(lobe, wo, true, 4, {});
-        const float residual = fit_gaussians(lobe_quadrature(lobe, wo, true), wo, true, 0, taps);
+        const float residual = fit_gaussians(lobe_quadrature(lobe, wo, true, 4), wo, true, 0, taps);
         const Sphere truth = over_sphere(lobe, wo, taps);
         EXPECT_NEAR(residual, truth.residual, 0.1 * truth.residual + 0.004) << theta;
         EXPECT_NEAR(truth.energy_error, 0, 4e-3) << theta;
@@ -67,7 +67,7 @@ TEST_P(FittedLobe, ResidualIsTheErrorOverTheSphere) {
 TEST_P(FittedLobe, MoreGaussiansFitBetter) {
     const LobeParameters lobe = lobe_of(GetParam(), 0.1f, 0.1f);
     const Vec3f wo = view(65);
-    const LobeQuadrature quadrature = lobe_quadrature(lobe, wo, true);
+    const LobeQuadrature quadrature = lobe_quadrature(lobe, wo, true, 7);
     float before = 1;
     for (const int n : {1, 2, 4, 7}) {
         GaussianTaps taps = fit_view(lobe, wo, true, n, {});
@@ -112,7 +112,7 @@ TEST(GaussianFit, NeighbouringViewsHaveNeighbouringTaps) {
 TEST(GaussianFit, KeepsTheColourOfFresnel) {
     LobeParameters lobe = lobe_of(ModelId::ggx, 0.2f, 0.2f);
     lobe.fresnel.kind = FresnelKind::schlick, lobe.fresnel.eta = Color3f(0.9f, 0.5f, 0.04f);
-    const LobeQuadrature quadrature = lobe_quadrature(lobe, view(70), true);
+    const LobeQuadrature quadrature = lobe_quadrature(lobe, view(70), true, 5);
     const GaussianTaps taps = fit_view(lobe, view(70), true, 5, {});
     Color3f sum(0);
     for (const GaussianTap& tap : taps) sum += tap.weight;
