@@ -5,6 +5,7 @@
 // energy best there. Six faces share the taps of a texel unless some reach over an edge.
 #include <burnish/base/parallel.h>
 #include <burnish/light/gaussian_blur.h>
+#include <burnish/light/six_face_sum.h>
 
 namespace burnish {
 namespace {
@@ -21,10 +22,10 @@ constexpr float kOuterWeight =
 constexpr Ring kRings[2] = {kInnerRing, {kOuterRadius, kOuterWeight, 0.75f}};
 constexpr int kTaps = 13;
 
-/// A bilinear lookup of a face, whichever of the six.
-struct FaceTap {
-    size_t offset;     // floats from the face's first border texel to the upper left texel
-    float weights[4];  // of the texels, row by row
+/// Bilinear lookups of a face, whichever of the six: two texels of a row and two of the next for each.
+struct FaceTaps {
+    TexelRun runs[2 * kTaps];
+    float weights[4 * kTaps];
 };
 
 /// The stencil around one texel: directions as (forward, right, up) of its face.
@@ -71,36 +72,20 @@ bool on_the_face(const Stencil& stencil) {
     return inside;
 }
 
-std::array<FaceTap, kTaps> face_taps(const Stencil& stencil, int size) {
-    std::array<FaceTap, kTaps> taps;
+FaceTaps face_taps(const Stencil& stencil, int size) {
+    FaceTaps taps;
     const float half = 0.5f * static_cast<float>(size);
     for (int i = 0; i < kTaps; ++i) {
         const Vec3f& d = stencil.directions[i];
         const float scale = half / d.x, px = half + 0.5f + d.y * scale, py = half + 0.5f - d.z * scale;
         const int ix = static_cast<int>(px), iy = static_cast<int>(py);
         const float fx = px - static_cast<float>(ix), fy = py - static_cast<float>(iy), w = stencil.weights[i];
-        const float lower = w * fy, upper = w - lower;
-        taps[i] = {4 * (static_cast<size_t>(iy) * (size + 2) + ix),
-                   {upper - upper * fx, upper * fx, lower - lower * fx, lower * fx}};
+        const float lower = w * fy, upper = w - lower,
+                    corners[4] = {upper - upper * fx, upper * fx, lower - lower * fx, lower * fx};
+        taps.runs[2 * i] = {ix - 1, iy - 1, 2}, taps.runs[2 * i + 1] = {ix - 1, iy, 2};
+        std::copy_n(corners, 4, taps.weights + 4 * i);
     }
     return taps;
-}
-
-/// All faces at once: their sums are independent, which keeps the processor busy.
-void add_on_faces(const CubeLevel& source, const std::array<FaceTap, kTaps>& taps, CubeLevel& target, int x, int y) {
-    const size_t row = 4 * static_cast<size_t>(source.size() + 2), steps[4] = {0, 4, row, row + 4};
-    const float* faces[6];
-    for (int face = 0; face < 6; ++face) faces[face] = source.at(face, -1, -1);
-    float total[6][4] = {};
-    for (const FaceTap& tap : taps) {
-        for (int i = 0; i < 4; ++i) {
-            const size_t offset = tap.offset + steps[i];
-            for (int face = 0; face < 6; ++face) {
-                for (int k = 0; k < 4; ++k) total[face][k] += tap.weights[i] * faces[face][offset + k];
-            }
-        }
-    }
-    for (int face = 0; face < 6; ++face) std::copy_n(total[face], 4, target.at(face, x, y));
 }
 
 void add_anywhere(const CubeLevel& source, int face, const Stencil& stencil, float* out) {
@@ -119,7 +104,10 @@ void blur_by_taps(const CubeLevel& source, const GaussianBlur& blur, CubeLevel& 
             const Vec3f place = face_place(x, y, n);
             const Stencil stencil = stencil_around(place, blur.kernel_versine(1.0 / place.length2(), n));
             if (on_the_face(stencil)) {
-                add_on_faces(source, face_taps(stencil, source.size()), target, x, y);
+                const FaceTaps taps = face_taps(stencil, source.size());
+                SixTexels total = {};
+                add_runs(source, taps.runs, {false, false}, taps.weights, total);
+                for (int face = 0; face < 6; ++face) std::copy_n(total[face], 4, target.at(face, x, y));
             } else {
                 for (int face = 0; face < 6; ++face) add_anywhere(source, face, stencil, target.at(face, x, y));
             }
