@@ -61,15 +61,7 @@ public:
     /// The weighted sums for the six faces at once.
     void sum(Mirror mirror, SixTexels& total) const {
         add_runs(m_source, m_runs, mirror, m_weights.data(), total);
-        const float* cube = m_source.at(0, 0, 0);
-        for (const Beyond& texel : m_beyond) {
-            const int x = mirrored(texel.x, mirror.x), y = mirrored(texel.y, mirror.y);
-            const auto& grids = m_unfolding.grids(x, y);
-            for (int face = 0; face < 6; ++face) {
-                const float* rgba = cube + grids[face].origin + x * grids[face].x + y * grids[face].y;
-                for (int k = 0; k < 4; ++k) total[face][k] += texel.weight * rgba[k];
-            }
-        }
+        if (!m_beyond.empty()) add_beyond(mirror, total);
     }
 
 private:
@@ -77,6 +69,21 @@ private:
         int x, y;
         float weight;
     };
+
+    void add_beyond(Mirror mirror, SixTexels& total) const {
+        const float* cube = m_source.at(0, 0, 0);
+        SixTexels sum = {};
+        for (const Beyond& texel : m_beyond) {
+            const int x = mirrored(texel.x, mirror.x), y = mirrored(texel.y, mirror.y);
+            const auto& grids = m_unfolding.grids(x, y);
+            for (int face = 0; face < 6; ++face) {
+                const float* rgba = cube + grids[face].origin + x * grids[face].x + y * grids[face].y;
+                for (int k = 0; k < 4; ++k) sum[face][k] += texel.weight * rgba[k];
+            }
+        }
+        for (int face = 0; face < 6; ++face)
+            for (int k = 0; k < 4; ++k) total[face][k] += sum[face][k];
+    }
 
     int mirrored(int i, bool mirror) const { return mirror ? m_size - 1 - i : i; }
 
