@@ -2,6 +2,7 @@
 #include "core/scenes.h"
 
 #include <burnish/base/parallel.h>
+#include <burnish/composite/composite.h>
 #include <burnish/shading/dense.h>
 
 #include <benchmark/benchmark.h>
@@ -39,6 +40,26 @@ void shade_1080p(benchmark::State& state) {
     state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+/// What a frame costs between its files: surfaces, `fitted` shading and compositing. Arguments: lookups per pixel, threads.
+void compute_1080p(benchmark::State& state) {
+    const ThreadLimit limit(static_cast<int>(state.range(1)));
+    AovFrame frame = scenes::covered_frame(1920, 1080);
+    frame.layers[Role::beauty] = Image(1920, 1080, 3, 0.5f);
+    const Assignment assignment = scenes::whole_frame(frame);
+    const Environment light = Environment::from_image(scenes::stress_light(1, 512), {}, "stress");
+    LobeParameters lobe;
+    lobe.model = ModelId::ggx, lobe.mx = lobe.my = 0.1f;
+    EstimatorSettings settings;
+    settings.kind = EstimatorKind::fitted, settings.samples = static_cast<int>(state.range(0));
+    const std::vector<MaterialShader> shaders{MaterialShader({"bench", Color3f(0, 0, 0), {lobe}}, light, settings)};
+    for (auto _ : state) {
+        const Surfaces surfaces(frame, assignment, {});
+        ShadedFrame shaded = shade_dense(surfaces, assignment, shaders, {});
+        benchmark::DoNotOptimize(
+            composite(frame, assignment, std::move(shaded.overlay), nullptr, {Color3f(0, 0, 0)}, {}).beauty.data.data());
+    }
+}
+
 /// Arguments: mx and my in percent, roughness from a layer, estimator, lookups. What a lobe costs before its first pixel.
 void make_shader(benchmark::State& state) {
     const ThreadLimit limit(2);
@@ -72,6 +93,7 @@ BENCHMARK(shade_1080p<ModelId::ggx, filtered_importance>)
     ->Args({16, 2})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+BENCHMARK(compute_1080p)->ArgsProduct({{2, 4}, {1, 2}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(make_shader)
     ->ArgNames({"mx", "my", "layer", "estimator", "lookups"})
     ->ArgsProduct({{10, 30}, {10, 6}, {0, 1}, {static_cast<int>(regular)}, {16}})

@@ -83,7 +83,7 @@ Image rendered_specular(const AovFrame& frame) {
     return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
 }
 
-Composite composite(const AovFrame& frame, const Assignment& assignment, const Image& overlay, const Image* old_overlay,
+Composite composite(const AovFrame& frame, const Assignment& assignment, Image overlay, const Image* old_overlay,
                     const std::vector<Color3f>& kd, const CompositeSettings& settings) {
     const Image *beauty = frame.find(Role::beauty), *alpha = frame.find(Role::alpha), *mask = frame.find(Role::mask);
     if (settings.mode != CompositeMode::add) frame.layer(Role::beauty);
@@ -92,10 +92,10 @@ Composite composite(const AovFrame& frame, const Assignment& assignment, const I
     const Image& base = beauty ? *beauty : out.diffuse;
     const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
     out.beauty = Image(overlay.width, overlay.height, 4);
-    out.overlay = Image(overlay.width, overlay.height, 3);
-    for_each_pixel(overlay, [&](size_t i) {
+    out.overlay = std::move(overlay);
+    for_each_pixel(out.overlay, [&](size_t i) {
         const float weight = pixel_weight(mask, assignment, i);
-        Color3f added = color(overlay, i);
+        Color3f added = color(out.overlay, i);
         if (settings.mode == CompositeMode::difference) added -= color(*old_overlay, i);
         added *= settings.tint * (settings.gain * weight);
         Color3f sum = color(base, i) + added;

@@ -25,8 +25,8 @@ struct Composite {
 
 /// `assignment`: its coverage is 0 where nothing was shaded, so that `replace` leaves those pixels as they were rendered.
 /// `kd`: per rule, for the diffuse part kd/pi * E * albedo from an irradiance layer. `old_overlay`: for `difference`.
-/// Throws Error(missing_channel) when the mode's layers are absent.
-Composite composite(const AovFrame& frame, const Assignment& assignment, const Image& overlay, const Image* old_overlay,
+/// `overlay` is used up. Throws Error(missing_channel) when the mode's layers are absent.
+Composite composite(const AovFrame& frame, const Assignment& assignment, Image overlay, const Image* old_overlay,
                     const std::vector<Color3f>& kd, const CompositeSettings& settings);
 
 /// The rendered specular radiance: albedo * (direct + indirect) for Cycles, direct + indirect for the others.

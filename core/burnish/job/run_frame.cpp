@@ -115,7 +115,7 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, c
     });
     result.composite = timed(seconds, "composite", [&] {
         cover_shaded(surfaces, assignment);
-        return composite(frame, assignment, result.shaded.overlay, difference ? &old.overlay : nullptr, look.wardrobe.kd,
+        return composite(frame, assignment, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr, look.wardrobe.kd,
                          job.composite);
     });
     result.tally.lookups = result.shaded.lookups + old.lookups;

@@ -3,17 +3,12 @@
 #include <burnish/base/parallel.h>
 #include <burnish/light/gaussian_blur.h>
 #include <burnish/light/gaussian_cap.h>
+#include <burnish/light/six_face_sum.h>
 
 #include <numeric>
 
 namespace burnish {
 namespace {
-
-using SixTexels = float[6][4];
-
-struct Mirror {
-    bool x, y;
-};
 
 /// Where the texels beyond the edges of a face are: as unfolded_texel, but in floats from the first texel of the cube.
 class Unfolding {
@@ -63,42 +58,31 @@ public:
         normalise();
     }
 
-    /// The weighted sums for the six faces at once: they are independent, which keeps the processor busy.
+    /// The weighted sums for the six faces at once.
     void sum(Mirror mirror, SixTexels& total) const {
-        sum_own(mirror, total);
-        const float* cube = m_source.at(0, 0, 0);
-        for (const Beyond& texel : m_beyond) {
-            const int x = mirrored(texel.x, mirror.x), y = mirrored(texel.y, mirror.y);
-            const auto& grids = m_unfolding.grids(x, y);
-            for (int face = 0; face < 6; ++face) {
-                const float* rgba = cube + grids[face].origin + x * grids[face].x + y * grids[face].y;
-                for (int k = 0; k < 4; ++k) total[face][k] += texel.weight * rgba[k];
-            }
-        }
+        add_runs(m_source, m_runs, mirror, m_weights.data(), total);
+        if (!m_beyond.empty()) add_beyond(mirror, total);
     }
 
 private:
-    struct Run {
-        int x, y, count;
-    };
     struct Beyond {
         int x, y;
         float weight;
     };
 
-    void sum_own(Mirror mirror, SixTexels& total) const {
-        const float* faces[6];
-        for (int face = 0; face < 6; ++face) faces[face] = m_source.at(face, 0, 0);
-        const float* weight = m_weights.data();
-        const std::ptrdiff_t step = mirror.x ? -4 : 4;
-        for (const Run& run : m_runs) {
-            std::ptrdiff_t offset = m_source.at(0, mirrored(run.x, mirror.x), mirrored(run.y, mirror.y)) - faces[0];
-            for (int i = 0; i < run.count; ++i, ++weight, offset += step) {
-                for (int face = 0; face < 6; ++face) {
-                    for (int k = 0; k < 4; ++k) total[face][k] += *weight * faces[face][offset + k];
-                }
+    void add_beyond(Mirror mirror, SixTexels& total) const {
+        const float* cube = m_source.at(0, 0, 0);
+        SixTexels sum = {};
+        for (const Beyond& texel : m_beyond) {
+            const int x = mirrored(texel.x, mirror.x), y = mirrored(texel.y, mirror.y);
+            const auto& grids = m_unfolding.grids(x, y);
+            for (int face = 0; face < 6; ++face) {
+                const float* rgba = cube + grids[face].origin + x * grids[face].x + y * grids[face].y;
+                for (int k = 0; k < 4; ++k) sum[face][k] += texel.weight * rgba[k];
             }
         }
+        for (int face = 0; face < 6; ++face)
+            for (int k = 0; k < 4; ++k) total[face][k] += sum[face][k];
     }
 
     int mirrored(int i, bool mirror) const { return mirror ? m_size - 1 - i : i; }
@@ -138,7 +122,7 @@ private:
     const Unfolding& m_unfolding;
     int m_size;
     std::span<const float> m_cosines;
-    std::vector<Run> m_runs;
+    std::vector<TexelRun> m_runs;
     std::vector<float> m_weights, m_row;
     std::vector<Beyond> m_beyond;
 };

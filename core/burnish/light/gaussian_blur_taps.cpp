@@ -2,9 +2,11 @@
 //
 // Radii and weights minimise the largest difference to the exact convolution (2e-3 of a point light's peak) while the mean
 // versine is exact. The rings' turn matters at a face's centre, where the grids of both levels are aligned: 15 degrees keep the
-// energy best there. Six faces share the taps of a texel unless some reach over an edge.
+// energy best there. Six faces and the four mirror images of a place on each share the taps of a texel that
+// do not reach over an edge.
 #include <burnish/base/parallel.h>
 #include <burnish/light/gaussian_blur.h>
+#include <burnish/light/six_face_sum.h>
 
 namespace burnish {
 namespace {
@@ -21,10 +23,11 @@ constexpr float kOuterWeight =
 constexpr Ring kRings[2] = {kInnerRing, {kOuterRadius, kOuterWeight, 0.75f}};
 constexpr int kTaps = 13;
 
-/// A bilinear lookup of a face, whichever of the six.
-struct FaceTap {
-    size_t offset;     // floats from the face's first border texel to the upper left texel
-    float weights[4];  // of the texels, row by row
+/// Bilinear lookups of a face, whichever of the six: two texels of a row and two of the next for each.
+struct FaceTaps {
+    TexelRun runs[2 * kTaps];
+    float weights[4 * kTaps];
+    size_t count = 0;
 };
 
 /// The stencil around one texel: directions as (forward, right, up) of its face.
@@ -65,64 +68,58 @@ Stencil stencil_around(const Vec3f& place, double versine) {
     return stencil;
 }
 
-bool on_the_face(const Stencil& stencil) {
-    bool inside = true;
-    for (const Vec3f& d : stencil.directions) inside &= std::max(std::fabs(d.y), std::fabs(d.z)) <= d.x;
-    return inside;
-}
+bool is_on_the_face(const Vec3f& d) { return std::max(std::fabs(d.y), std::fabs(d.z)) <= d.x; }
 
-std::array<FaceTap, kTaps> face_taps(const Stencil& stencil, int size) {
-    std::array<FaceTap, kTaps> taps;
+/// The taps of a stencil that lie on the face.
+FaceTaps face_taps(const Stencil& stencil, int size) {
+    FaceTaps taps;
     const float half = 0.5f * static_cast<float>(size);
     for (int i = 0; i < kTaps; ++i) {
         const Vec3f& d = stencil.directions[i];
+        if (!is_on_the_face(d)) continue;
         const float scale = half / d.x, px = half + 0.5f + d.y * scale, py = half + 0.5f - d.z * scale;
         const int ix = static_cast<int>(px), iy = static_cast<int>(py);
         const float fx = px - static_cast<float>(ix), fy = py - static_cast<float>(iy), w = stencil.weights[i];
-        const float lower = w * fy, upper = w - lower;
-        taps[i] = {4 * (static_cast<size_t>(iy) * (size + 2) + ix),
-                   {upper - upper * fx, upper * fx, lower - lower * fx, lower * fx}};
+        const float lower = w * fy, upper = w - lower,
+                    corners[4] = {upper - upper * fx, upper * fx, lower - lower * fx, lower * fx};
+        taps.runs[2 * taps.count] = {ix - 1, iy - 1, 2}, taps.runs[2 * taps.count + 1] = {ix - 1, iy, 2};
+        std::copy_n(corners, 4, taps.weights + 4 * taps.count++);
     }
     return taps;
 }
 
-/// All faces at once: their sums are independent, which keeps the processor busy.
-void add_on_faces(const CubeLevel& source, const std::array<FaceTap, kTaps>& taps, CubeLevel& target, int x, int y) {
-    const size_t row = 4 * static_cast<size_t>(source.size() + 2), steps[4] = {0, 4, row, row + 4};
-    const float* faces[6];
-    for (int face = 0; face < 6; ++face) faces[face] = source.at(face, -1, -1);
-    float total[6][4] = {};
-    for (const FaceTap& tap : taps) {
-        for (int i = 0; i < 4; ++i) {
-            const size_t offset = tap.offset + steps[i];
-            for (int face = 0; face < 6; ++face) {
-                for (int k = 0; k < 4; ++k) total[face][k] += tap.weights[i] * faces[face][offset + k];
-            }
-        }
+/// The other taps, on whichever face they lie.
+void add_beyond(const CubeLevel& source, const Stencil& stencil, Mirror mirror, SixTexels& total) {
+    for (int i = 0; i < kTaps; ++i) {
+        Vec3f d = stencil.directions[i];
+        if (is_on_the_face(d)) continue;
+        d.y = mirror.x ? -d.y : d.y, d.z = mirror.y ? -d.z : d.z;
+        for (int face = 0; face < 6; ++face)
+            source.add_bilinear(cube_coord(face_to_cube(face, d)), stencil.weights[i], total[face]);
     }
-    for (int face = 0; face < 6; ++face) std::copy_n(total[face], 4, target.at(face, x, y));
 }
 
-void add_anywhere(const CubeLevel& source, int face, const Stencil& stencil, float* out) {
-    float sum[4] = {0, 0, 0, 0};
-    for (int i = 0; i < kTaps; ++i)
-        source.add_bilinear(cube_coord(face_to_cube(face, stencil.directions[i])), stencil.weights[i], sum);
-    std::copy_n(sum, 4, out);
+/// A place on each face and its mirror images, by the same stencil mirrored.
+void blur_place(const CubeLevel& source, const Stencil& stencil, int x, int y, CubeLevel& target) {
+    const FaceTaps taps = face_taps(stencil, source.size());
+    const int last = target.size() - 1;
+    for (const Mirror mirror : {Mirror{false, false}, Mirror{true, false}, Mirror{false, true}, Mirror{true, true}}) {
+        SixTexels total = {};
+        add_runs(source, std::span(taps.runs, 2 * taps.count), mirror, taps.weights, total);
+        if (taps.count < kTaps) add_beyond(source, stencil, mirror, total);
+        for (int face = 0; face < 6; ++face)
+            std::copy_n(total[face], 4, target.at(face, mirror.x ? last - x : x, mirror.y ? last - y : y));
+    }
 }
 
 }  // namespace
 
 void blur_by_taps(const CubeLevel& source, const GaussianBlur& blur, CubeLevel& target) {
-    const int n = target.size();
-    for_each_index(n, [&](int y) {
-        for (int x = 0; x < n; ++x) {
+    const int n = target.size(), half = (n + 1) / 2;
+    for_each_index(half, [&](int y) {
+        for (int x = 0; x < half; ++x) {
             const Vec3f place = face_place(x, y, n);
-            const Stencil stencil = stencil_around(place, blur.kernel_versine(1.0 / place.length2(), n));
-            if (on_the_face(stencil)) {
-                add_on_faces(source, face_taps(stencil, source.size()), target, x, y);
-            } else {
-                for (int face = 0; face < 6; ++face) add_anywhere(source, face, stencil, target.at(face, x, y));
-            }
+            blur_place(source, stencil_around(place, blur.kernel_versine(1.0 / place.length2(), n)), x, y, target);
         }
     });
     target.fill_borders();

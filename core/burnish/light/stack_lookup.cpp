@@ -26,6 +26,8 @@ void queue_stack_taps(const CubeStack& stack, float distortion, const StackTap* 
     }
 }
 
+static_assert(kMostTapsPerSum == TapQueue::kCapacity);
+
 void add_up(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum, std::span<Color3f> sums) {
     TapQueue queue;
     const size_t sums_at_once = TapQueue::kCapacity / per_sum;

@@ -14,8 +14,10 @@ struct StackTap {
     Color3f weight;
 };
 
+inline constexpr size_t kMostTapsPerSum = 256;
+
 /// sums[j] = sum of weight * stack.lookup(d, level + distortion * cube_distortion(d)) over the `per_sum` taps from
-/// j * per_sum on; 1 <= per_sum <= 256. Any direction and level is safe. The stack must not be empty.
+/// j * per_sum on; 1 <= per_sum <= kMostTapsPerSum. Any direction and level is safe. The stack must not be empty.
 void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
                     std::span<Color3f> sums);
 

@@ -37,11 +37,11 @@ HWY_INLINE VF clamped(VF v, VF high) { return hn::Min(hn::IfThenElseZero(hn::Gt(
 
 /// Lookups whose texels are known. Offsets count texels from the start of the stack.
 struct TapQueue {
-    static constexpr size_t kCapacity = 256;
-    HWY_ALIGN int32_t fine[kCapacity], fine_below[kCapacity], coarse[kCapacity], coarse_below[kCapacity];
-    HWY_ALIGN float fine_y[kCapacity], coarse_y[kCapacity];  // share of the lower row
-    HWY_ALIGN float columns[kCapacity][4];                   // weights: fine left, fine right, coarse left, coarse right
-    HWY_ALIGN float weight[kCapacity][4];                    // RGB
+    static constexpr size_t kCapacity = 256, kRoom = kCapacity + 8;  // a whole vector may be stored at the last entry
+    HWY_ALIGN int32_t fine[kRoom], fine_below[kRoom], coarse[kRoom], coarse_below[kRoom];
+    HWY_ALIGN float fine_y[kRoom], coarse_y[kRoom];  // share of the lower row
+    HWY_ALIGN float columns[kRoom][4];               // weights: fine left, fine right, coarse left, coarse right
+    HWY_ALIGN float weight[kRoom][4];                // RGB
 };
 
 /// Entry k of a table of levels, k in [0, kShortTable) or any k of a longer table.

@@ -1,5 +1,6 @@
 #include <burnish/shading/material_shader.h>
 
+#include <burnish/light/stack_lookup.h>
 #include <burnish/material/lobe.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/fitted.h>
@@ -51,27 +52,36 @@ struct MaterialShader::LobeShader {
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
         if (table.tap_count() == 0) return add_tap_by_tap(batch, out);
-        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch, out.overlay);
-        for (float& samples : out.samples) samples += static_cast<float>(table.tap_count());
+        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch, out.overlay,
+                          out.samples);
     }
 
     /// Where each pixel has to make its own taps.
     void add_tap_by_tap(const SurfaceBatch& batch, ShadedBatch& out) const {
         const float side_sign = lobe.side == Side::transmission ? -1.0f : 1.0f;
         std::vector<Tap> taps;
+        std::vector<StackTap> lookups;
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
             taps.resize(rule->tap_count(point.mx, point.my));
             (*rule)(point, taps);
-            Color3f sum(0, 0, 0);
-            for (const Tap& tap : taps) {
-                const Vec3f d = point.frame.to_world(tap.wi);
-                const float share = visible_share(tap.wi.z * side_sign, point.ng.dot(tap.wi) * side_sign, tap.edge);
-                if (share > 0) sum += tap.weight * share * stack.lookup(d, tap.level + distortion * cube_distortion(d));
-            }
-            out.overlay[i] += sum * point.scale * light.gain();
-            out.samples[i] += static_cast<float>(taps.size());
+            lookups.clear();
+            for (const Tap& tap : taps)
+                if (point.sees(tap.wi, side_sign) && tap.weight != Color3f(0, 0, 0))
+                    lookups.push_back({point.frame.to_world(tap.wi), tap.level, tap.weight});
+            out.overlay[i] += sum_of(lookups) * point.scale * light.gain();
+            out.samples[i] += static_cast<float>(lookups.size());
         }
+    }
+
+    Color3f sum_of(std::span<const StackTap> lookups) const {
+        Color3f sum(0, 0, 0), part;
+        for (; !lookups.empty(); sum += part) {
+            const size_t count = std::min(lookups.size(), kMostTapsPerSum);
+            add_up_lookups(stack, distortion, lookups.first(count), count, {&part, 1});
+            lookups = lookups.subspan(count);
+        }
+        return sum;
     }
 
     /// Light of suns, which the filtered lookups do not hold.

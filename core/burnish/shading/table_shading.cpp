@@ -14,6 +14,27 @@ HWY_INLINE V3 pixel_vector(const PixelBlock::Planes& planes, size_t pixel) {
     return {constant(planes[0][pixel]), constant(planes[1][pixel]), constant(planes[2][pixel])};
 }
 
+/// Taps of several pixels, one after the other, before their texels are known; their weights are in the queue already.
+struct PlacedTaps {
+    HWY_ALIGN float x[TapQueue::kRoom] = {}, y[TapQueue::kRoom] = {}, z[TapQueue::kRoom] = {}, level[TapQueue::kRoom] = {};
+};
+
+/// A vector of taps between the nodes about a pixel's view.
+struct TableTaps {
+    VF field[TapTable::kFields];
+
+    HWY_INLINE TableTaps(const TapTable& table, const PixelBlock& block, size_t pixel, size_t tap) {
+        const Lanes d;
+        for (VF& f : field) f = hn::Zero(d);
+        for (int c = 0; c < block.corners; ++c) {
+            const float* node = table.data() + block.corner[c][pixel] + tap;
+            const VF weight = constant(block.corner_weight[c][pixel]);
+            for (int f = 0; f < TapTable::kFields; ++f)
+                field[f] = hn::MulAdd(weight, hn::LoadU(d, node + f * table.padded_taps()), field[f]);
+        }
+    }
+};
+
 /// As visible_share in tap.h.
 HWY_INLINE VF visible_shares(VF above_n, VF above_ng, VF edge) {
     const VF zero = constant(0.0f), one = constant(1.0f), half_edge = hn::Mul(constant(0.5f), edge);
@@ -23,32 +44,46 @@ HWY_INLINE VF visible_shares(VF above_n, VF above_ng, VF edge) {
     return clamped(hn::Sub(one, hn::Div(hn::Sub(seen, share(above_ng)), hn::Max(seen, constant(kLeastShare)))));
 }
 
-/// Queues taps [first, first + count) of a pixel at entries `at` and on: interpolated between nodes, turned into light axes.
-HWY_INLINE void queue_pixel(const TableShading& shading, const PixelBlock& block, size_t pixel, size_t first, size_t count,
-                            size_t at, TapQueue& queue) {
+/// Stores a vector of taps from entry `at` on, without those of no weight, and returns where they end. `count` of the
+/// vector's taps are in use.
+HWY_INLINE size_t store_taps(const V3& wi, VF level, const V3& weight, size_t count, size_t at, PlacedTaps& taps,
+                             TapQueue& queue) {
     const Lanes d;
-    const TapTable& table = shading.table;
+    const auto store = [&](const V3& w, VF l, const V3& rgb) {
+        hn::StoreU(w.x, d, taps.x + at), hn::StoreU(w.y, d, taps.y + at), hn::StoreU(w.z, d, taps.z + at);
+        hn::StoreU(l, d, taps.level + at);
+        hn::StoreInterleaved4(rgb.x, rgb.y, rgb.z, hn::Zero(d), d, queue.weight[at]);
+    };
+    const auto weighs = hn::Ne(hn::Or(hn::Or(weight.x, weight.y), weight.z), hn::Zero(d));
+    const size_t kept = hn::CountTrue(d, weighs);
+    const auto packed = [&](const V3& v) -> V3 {
+        return {hn::Compress(v.x, weighs), hn::Compress(v.y, weighs), hn::Compress(v.z, weighs)};
+    };
+    if (kept == count)
+        store(wi, level, weight);
+    else if (kept > 0)
+        store(packed(wi), hn::Compress(level, weighs), packed(weight));
+    return at + kept;
+}
+
+/// Places taps [first, first + count) of a pixel at entries `at` and on, in light axes; returns where they end.
+HWY_INLINE size_t place_taps(const TableShading& shading, const PixelBlock& block, size_t pixel, size_t first, size_t count,
+                             size_t at, PlacedTaps& taps, TapQueue& queue) {
+    const Lanes d;
     const V3 t = pixel_vector(block.t, pixel), b = pixel_vector(block.b, pixel), n = pixel_vector(block.n, pixel);
     const V3 wo = pixel_vector(block.wo, pixel), ng = pixel_vector(block.ng, pixel);
     const V3 wo_local = pixel_vector(block.wo_local, pixel);
-    for (size_t tap = first; tap < first + count; tap += hn::Lanes(d), at += hn::Lanes(d)) {
-        VF field[TapTable::kFields];
-        for (VF& f : field) f = hn::Zero(d);
-        for (int c = 0; c < block.corners; ++c) {
-            const float* node = table.data() + block.corner[c][pixel] + tap;
-            const VF weight = constant(block.corner_weight[c][pixel]);
-            for (int f = 0; f < TapTable::kFields; ++f)
-                field[f] = hn::MulAdd(weight, hn::LoadU(d, node + f * table.padded_taps()), field[f]);
-        }
-        const V3 h{field[TapTable::h_x], field[TapTable::h_y], field[TapTable::h_z]};
+    for (size_t tap = first; tap < first + count; tap += hn::Lanes(d)) {
+        const TableTaps found(shading.table, block, pixel, tap);
+        const V3 h{found.field[TapTable::h_x], found.field[TapTable::h_y], found.field[TapTable::h_z]};
         const VF wo_h = dot(wo_local, h);
         const V3 wi = (t * h.x + b * h.y + n * h.z) * hn::Add(wo_h, wo_h) - wo * dot(h, h);
-        const VF share = visible_shares(dot(n, wi), dot(ng, wi), field[TapTable::edge]);
-        const auto weight = [&](TapTable::Field f) { return hn::Mul(share, field[f]); };
-        hn::StoreInterleaved4(weight(TapTable::weight_r), weight(TapTable::weight_g), weight(TapTable::weight_b), hn::Zero(d),
-                              d, queue.weight[at]);
-        queue_taps(shading.stack.layout(), shading.distortion, wi, field[TapTable::level], at, queue);
+        const VF level = found.field[TapTable::level];
+        const V3 weight{found.field[TapTable::weight_r], found.field[TapTable::weight_g], found.field[TapTable::weight_b]};
+        at = store_taps(wi, level, weight * visible_shares(dot(n, wi), dot(ng, wi), found.field[TapTable::edge]),
+                        std::min(hn::Lanes(d), first + count - tap), at, taps, queue);
     }
+    return at;
 }
 
 /// What multiplies pixel i of a lobe apart from its taps, beyond the lobe's own tint and strength.
@@ -59,36 +94,56 @@ HWY_INLINE Color3f pixel_scale(const LobeParameters& lobe, const SurfaceBatch& b
     return scale;
 }
 
-/// Shades `count` prepared pixels, as many at a time as the queue holds; a pixel with more taps than that takes several rounds.
-void shade_block(const TableShading& shading, const PixelBlock& block, size_t count, TapQueue& queue, Color3f* sums) {
-    const size_t padded = static_cast<size_t>(shading.table.padded_taps()),
-                 taps = static_cast<size_t>(shading.table.tap_count());
-    const size_t at_once = std::max<size_t>(TapQueue::kCapacity / padded, 1);
-    std::fill_n(sums, count, Color3f(0, 0, 0));
-    for (size_t begin = 0; begin < count; begin += at_once) {
-        const size_t end = std::min(begin + at_once, count);
-        for (size_t tap = 0; tap < padded; tap += TapQueue::kCapacity) {
-            const size_t width = std::min(padded - tap, TapQueue::kCapacity);
-            for (size_t p = begin; p < end; ++p) queue_pixel(shading, block, p, tap, width, (p - begin) * width, queue);
-            for (size_t p = begin; p < end; ++p) {
-                float rgba[4];
-                queued_sum(shading.stack.layout(), queue, (p - begin) * width, std::min(width, taps - tap), rgba);
-                sums[p] += Color3f(rgba[0], rgba[1], rgba[2]);
-            }
-        }
+/// What a block of pixels comes to.
+struct BlockSums {
+    Color3f light[PixelBlock::kPixels];
+    size_t lookups[PixelBlock::kPixels];
+};
+
+/// Adds taps [first, first + count) of pixels [begin, end), all that the queue holds at once.
+void add_taps(const TableShading& shading, const PixelBlock& block, size_t begin, size_t end, size_t first, size_t count,
+              PlacedTaps& taps, TapQueue& queue, BlockSums& sums) {
+    const Lanes d;
+    size_t ends[PixelBlock::kPixels], at = 0;
+    for (size_t p = begin; p < end; ++p) ends[p] = at = place_taps(shading, block, p, first, count, at, taps, queue);
+    for (size_t i = 0; i < at; i += hn::Lanes(d))
+        queue_taps(shading.stack.layout(), shading.distortion,
+                   {hn::Load(d, taps.x + i), hn::Load(d, taps.y + i), hn::Load(d, taps.z + i)}, hn::Load(d, taps.level + i), i,
+                   queue);
+    for (size_t p = begin, i = 0; p < end; i = ends[p++]) {
+        float rgba[4];
+        queued_sum(shading.stack.layout(), queue, i, ends[p] - i, rgba);
+        sums.light[p] += Color3f(rgba[0], rgba[1], rgba[2]);
+        sums.lookups[p] += ends[p] - i;
     }
 }
 
-void shade_batch(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay) {
+/// Shades `count` prepared pixels, as many at a time as the queue holds; a pixel with more taps than that takes several rounds.
+void shade_block(const TableShading& shading, const PixelBlock& block, size_t count, PlacedTaps& taps, TapQueue& queue,
+                 BlockSums& sums) {
+    const size_t all = static_cast<size_t>(shading.table.tap_count());
+    const size_t at_once = std::max<size_t>(TapQueue::kCapacity / all, 1);
+    sums = {};
+    for (size_t begin = 0; begin < count; begin += at_once)
+        for (size_t tap = 0; tap < all; tap += TapQueue::kCapacity)
+            add_taps(shading, block, begin, std::min(begin + at_once, count), tap, std::min(all - tap, TapQueue::kCapacity),
+                     taps, queue, sums);
+}
+
+void shade_batch(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples) {
     PixelBlock block;
+    PlacedTaps taps;
     TapQueue queue;
-    Color3f sums[PixelBlock::kPixels];
+    BlockSums sums;
     const Color3f gain = shading.lobe.tint * shading.lobe.strength * shading.gain;
     for (size_t begin = 0; begin < batch.size(); begin += PixelBlock::kPixels) {
         const size_t count = std::min(PixelBlock::kPixels, batch.size() - begin);
         for (size_t i = 0; i < count; i += hn::Lanes(Lanes())) prepare_pixels(shading, batch, begin + i, i, block);
-        shade_block(shading, block, count, queue, sums);
-        for (size_t i = 0; i < count; ++i) overlay[begin + i] += sums[i] * gain * pixel_scale(shading.lobe, batch, begin + i);
+        shade_block(shading, block, count, taps, queue, sums);
+        for (size_t i = 0; i < count; ++i) {
+            overlay[begin + i] += sums.light[i] * gain * pixel_scale(shading.lobe, batch, begin + i);
+            samples[begin + i] += static_cast<float>(sums.lookups[i]);
+        }
     }
 }
 
@@ -101,8 +156,9 @@ namespace burnish {
 
 HWY_EXPORT(shade_batch);
 
-void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay) {
-    HWY_DYNAMIC_DISPATCH(shade_batch)(shading, batch, overlay);
+void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay,
+                       std::span<float> samples) {
+    HWY_DYNAMIC_DISPATCH(shade_batch)(shading, batch, overlay, samples);
 }
 
 }  // namespace burnish

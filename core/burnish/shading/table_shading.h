@@ -19,7 +19,9 @@ struct TableShading {
     Color3f gain;
 };
 
-/// Adds the lobe's overlay of pixel i to overlay[i]. The same pixel gives the same bits in whatever batch it comes.
-void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay);
+/// Adds the lobe's overlay of pixel i to overlay[i], and to samples[i] the lookups it took: taps of no weight take none. The
+/// same pixel gives the same bits in whatever batch it comes.
+void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay,
+                       std::span<float> samples);
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 #include "core/simd_targets.h"
 
 #include <burnish/material/model.h>
+#include <burnish/shading/fitted.h>
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/tap_rule.h>
 #include <burnish/shading/tap_table.h>
@@ -74,6 +75,30 @@ Color3f direct(const Case& c, const TapRule& rule, const Environment& light, con
         sum += tap.weight * light.pyramid().lookup(d, tap.level + CubePyramid::kDistortion * cube_distortion(d));
     }
     return sum * point.scale * light.gain();
+}
+
+/// Each pixel by its fitted taps, one by one; those that reach below the geometric surface fade.
+Color3f direct_fitted(const LobeParameters& lobe, const TapTable& table, const Environment& light, const SurfaceBatch& batch,
+                      size_t i) {
+    const GaussianStack& stack = light.gaussian_stack();
+    const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
+    std::vector<Tap> taps(table.tap_count());
+    table.at(point, taps);
+    Color3f sum(0, 0, 0);
+    for (const Tap& tap : taps) {
+        const float part = visible_share(tap.wi.z, point.ng.dot(tap.wi), tap.edge);
+        sum += tap.weight * part * stack.stack().lookup(point.frame.to_world(tap.wi), tap.level);
+    }
+    return sum * point.scale * light.gain();
+}
+
+/// One pixel seen at 45 degrees; its geometric normal is tilted away from the mirror direction.
+SurfaceBatch tilted_pixel(float tilt) {
+    SurfaceBatch batch;
+    batch.pixel = {0};
+    batch.p.push_back({0, 0, 0}), batch.n.push_back({0, 0, 1}), batch.t.push_back({1, 0, 0});
+    batch.wo.push_back(Vec3f(1, 0, 1).normalized()), batch.ng.push_back({std::sin(tilt), 0, std::cos(tilt)});
+    return batch;
 }
 
 MaterialShader shader_of(const Case& c, const Environment& light) {
@@ -172,10 +197,55 @@ TEST(TapTable, GivesBackWhatWasSetAtItsNodes) {
     }
 }
 
+TEST(TapTable, MakesThePictureOfFittedTapsThemselves) {
+    const Environment light = stress();
+    const SurfaceBatch batch = bumpy_sphere(64);
+    Case c{"fitted", lobe(ModelId::ggx, 0.3f, 0.3f, FresnelKind::schlick), estimator(EstimatorKind::fitted, 5), 0};
+    const TapTable table = fitted_table(c.lobe, 5, light.gaussian_stack());
+    const ShadedBatch tabulated = shade(shader_of(c, light), batch);
+    double difference = 0, total = 0;
+    for (size_t i = 0; i < batch.size(); ++i) {
+        const Color3f truth = direct_fitted(c.lobe, table, light, batch, i);
+        difference += (tabulated.overlay[i] - truth).length2(), total += truth.length2();
+    }
+    EXPECT_LT(std::sqrt(difference / total), 1e-3);
+}
+
+TEST(TapTable, FittedTapsFadeBelowTheGeometricSurface) {
+    const Environment light = Environment::from_image(scenes::constant_light(1), {}, "constant");
+    const Case c{"fitted", lobe(ModelId::ggx, 0.3f, 0.3f), estimator(EstimatorKind::fitted, 4), 0};
+    const MaterialShader shader = shader_of(c, light);
+    const auto seen = [&](float degrees) { return shade(shader, tilted_pixel(degrees * kPi / 180)).overlay[0].x; };
+    const float whole = seen(0);
+    float last = whole;
+    for (float degrees = 0.5f; degrees <= 90; degrees += 0.5f) {
+        const float now = seen(degrees);
+        EXPECT_LE(now, last + 1e-5f * whole) << degrees;
+        EXPECT_GT(now, last - 0.03f * whole) << degrees;
+        last = now;
+    }
+    EXPECT_LT(last, 0.5f * whole);
+}
+
+TEST(TapTable, TapsWithoutWeightAreNotLookedUp) {
+    const Environment light = stress();
+    const Case c{"regular", lobe(ModelId::ggx, 0.1f, 0.1f), estimator(EstimatorKind::regular, 16), 0};
+    const MaterialShader shader = shader_of(c, light);
+    const TapRule rule(c.lobe, c.settings, [](float) { return 0.0f; });
+    const auto taps = static_cast<float>(rule.tap_count(0.1f, 0.1f));
+    EXPECT_EQ(shade(shader, tilted_pixel(0)).samples[0], taps);
+    const float half_hidden = shade(shader, tilted_pixel(kPi / 4)).samples[0];
+    EXPECT_GT(half_hidden, 0);
+    EXPECT_LT(half_hidden, taps);
+    EXPECT_EQ(shade(shader, tilted_pixel(kPi / 2)).samples[0], 0);
+}
+
 TEST(TapTable, EveryInstructionSetMakesTheSamePicture) {
     const Environment light = stress();
     const SurfaceBatch batch = bumpy_sphere(40);
-    for (const Case& c : cases()) {
+    std::vector<Case> all = cases();
+    all.push_back({"fitted", lobe(ModelId::ggx, 0.2f, 0.2f), estimator(EstimatorKind::fitted, 5), 0});
+    for (const Case& c : all) {
         if (c.lobe.model != ModelId::ggx) continue;
         const MaterialShader shader = shader_of(c, light);
         const ShadedBatch usual = shade(shader, batch);
