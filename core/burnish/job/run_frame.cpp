@@ -115,8 +115,8 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, c
     });
     result.composite = timed(seconds, "composite", [&] {
         cover_shaded(surfaces, assignment);
-        return composite(frame, assignment, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr, look.wardrobe.kd,
-                         job.composite);
+        return composite(frame, assignment, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr,
+                         look.wardrobe.kd, job.composite);
     });
     result.tally.lookups = result.shaded.lookups + old.lookups;
     result.tally.seconds = std::move(seconds);

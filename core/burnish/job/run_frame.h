@@ -25,7 +25,7 @@ struct Tally {
 struct FrameResult {
     Composite composite;
     ShadedFrame shaded;  // its overlay went into the composite
-    Image validity;  // 1 channel: the number of each pixel's Validity
+    Image validity;      // 1 channel: the number of each pixel's Validity
     Tally tally;
 };
 
