@@ -80,16 +80,21 @@ std::vector<std::vector<Orbit>> starts(int n, float aspect, LobeTail tail) {
     return list;
 }
 
-/// The equally spaced pattern at many borders and level biases (as areas, relative to the default bias).
-std::vector<LobePattern> rules(int n, float aspect, LobeTail tail) {
+/// The equally spaced pattern, its level bias changed by this much.
+LobePattern rule(int n, float aspect, LobeTail tail, float border, float bias) {
+    const auto radius_of = [&](float xi) { return lobe_radius(tail, xi); };
+    LobePattern pattern = regular_pattern(PatternKind::automatic, n, aspect, 1, border, radius_of);
+    for (PatternSample& s : pattern) s.area *= std::exp2(2 * bias);
+    return pattern;
+}
+
+/// With many borders and level biases, or with the defaults alone.
+std::vector<LobePattern> rules(int n, float aspect, LobeTail tail, bool defaults) {
+    const float own = default_border(n, [&](float xi) { return lobe_radius(tail, xi); });
+    if (defaults) return {rule(n, aspect, tail, own, 0)};
     std::vector<LobePattern> list;
     for (const float border : {0.02f, 0.04f, 0.07f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.4f})
-        for (const float bias : {-0.3f, 0.0f, 0.3f, 0.6f}) {
-            const auto radius_of = [&](float xi) { return lobe_radius(tail, xi); };
-            LobePattern pattern = regular_pattern(PatternKind::automatic, n, aspect, 1, border, radius_of);
-            for (PatternSample& s : pattern) s.area *= std::exp2(2 * bias);
-            list.push_back(std::move(pattern));
-        }
+        for (const float bias : {-0.3f, 0.0f, 0.3f, 0.6f}) list.push_back(rule(n, aspect, tail, border, bias));
     return list;
 }
 
@@ -146,7 +151,7 @@ struct Options {
     std::vector<std::string> tails{"gaussian", "long_tail"}, files;
     int lights = 32, points = 50;
     uint32_t seed = 1;
-    bool check = false;
+    bool check = false, defaults = false;
 };
 
 Options parsed(CLI::App& app, int argc, char** argv) {
@@ -168,6 +173,8 @@ Options parsed(CLI::App& app, int argc, char** argv) {
     app.add_option("--points", options.points, "per light and width")->capture_default_str();
     app.add_option("--seed", options.seed, "of the first light")->capture_default_str();
     app.add_flag("--check", options.check, "instead print the errors of the table as compiled in");
+    app.add_flag("--against-defaults", options.defaults,
+                 "errors relative to the equally spaced pattern with the default border and level bias, not with the best");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -193,7 +200,7 @@ void run(LobeTail tail, float aspect, const std::vector<std::vector<Environment>
         all.emplace_back(tail, aspect, plan.widths, kind, options.points, options.seed);
     }
     for (const int n : plan.samples) {
-        const std::vector<LobePattern> references = rules(n, aspect, tail);
+        const std::vector<LobePattern> references = rules(n, aspect, tail, options.defaults);
         for (TrainingSet& set : few) set.relate_to(references);
         for (TrainingSet& set : all) set.relate_to(references);
         std::FILE* file = options.check ? stdout : stderr;
