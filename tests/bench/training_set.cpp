@@ -6,6 +6,7 @@
 #include <burnish/material/albedo.h>
 #include <burnish/material/lobe.h>
 #include <burnish/sampling/sequence.h>
+#include <burnish/shading/disc_light.h>
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/regular.h>
 
@@ -55,13 +56,19 @@ std::pair<SurfaceBatch, std::vector<double>> sphere_points(int count, const Trai
 
 }  // namespace
 
-std::vector<Environment> training_lights(int count, uint32_t seed, const std::vector<std::string>& files) {
+std::vector<Environment> made_lights(int count, uint32_t seed, const MakeLight& make) {
+    EnvironmentSettings settings;
+    settings.face_size = kFaceSize;
+    std::vector<Environment> lights(count);
+    for_each_index(count, [&](int i) { lights[i] = Environment::from_image(make(seed + i), settings, "made"); });
+    return lights;
+}
+
+std::vector<Environment> lights_from(const std::vector<std::string>& files) {
     EnvironmentSettings settings;
     settings.face_size = kFaceSize;
     std::vector<Environment> lights;
     for (const std::string& file : files) lights.push_back(Environment::load(file, settings));
-    for (int i = 0; i < count && files.empty(); ++i)
-        lights.push_back(Environment::from_image(scenes::stress_light(seed + i, 2 * kFaceSize), settings, "stress"));
     return lights;
 }
 
@@ -73,7 +80,7 @@ TrainingSet::TrainingSet(LobeTail tail, float aspect, const std::vector<float>& 
             LobeParameters lobe;
             lobe.model = tail == LobeTail::gaussian ? ModelId::beckmann : ModelId::ggx;
             lobe.mx = std::min(m * std::sqrt(aspect), 1.0f), lobe.my = m / std::sqrt(aspect);
-            m_groups.push_back({&light, lobe, {}, 0});
+            m_groups.push_back({&light, m, lobe, {}, 0});
         }
     for_each_index(static_cast<int>(m_groups.size()), [&](int i) { fill(m_groups[i], points, seed + 1000 * i); });
     for (TrainingGroup& group : m_groups) group.first = m_points, m_points += group.points.size();
@@ -88,7 +95,9 @@ void TrainingSet::fill(TrainingGroup& group, int points, uint32_t seed) const {
     double power = 0;
     for (size_t i = 0; i < batch.size(); ++i) {
         const ShadingPoint point = shading_point(batch, i, group.lobe, group.light->world_to_light());
-        const float value = truth.overlay[i].y, albedo = directional_albedo(group.lobe, point.wo, 2048).y;
+        const float suns =
+            visit_lobe(group.lobe, [&](const auto& lobe) { return disc_light(lobe, group.light->discs(), point).y; });
+        const float value = truth.overlay[i].y - suns, albedo = directional_albedo(group.lobe, point.wo, 2048).y;
         group.points.push_back({point, value, albedo, 1 / std::sqrt(chances[i])});
         power += value * value / chances[i];
     }
@@ -115,18 +124,24 @@ void TrainingSet::group_errors(const TrainingGroup& group, const LobePattern& pa
     });
 }
 
-std::vector<double> TrainingSet::errors(const LobePattern& pattern) const {
+std::vector<float> TrainingSet::point_widths() const {
+    std::vector<float> widths;
+    for (const TrainingGroup& group : m_groups) widths.insert(widths.end(), group.points.size(), group.m);
+    return widths;
+}
+
+std::vector<double> TrainingSet::errors(const PatternOf& pattern_of) const {
     std::vector<double> all(m_points);
     for_each_index(static_cast<int>(m_groups.size()),
-                   [&](int i) { group_errors(m_groups[i], pattern, all.data() + m_groups[i].first); });
+                   [&](int i) { group_errors(m_groups[i], pattern_of(m_groups[i].m), all.data() + m_groups[i].first); });
     return all;
 }
 
-double TrainingSet::width_error(float mx, const std::vector<double>& errors) const {
+double TrainingSet::width_error(float m, const std::vector<double>& errors) const {
     double sum = 0;
     for (const TrainingGroup& group : m_groups) {
         const double* own = errors.data() + group.first;
-        if (group.lobe.mx == mx) sum = std::inner_product(own, own + group.points.size(), own, sum);
+        if (group.m == m) sum = std::inner_product(own, own + group.points.size(), own, sum);
     }
     return std::sqrt(sum * m_groups.size() / m_lights);
 }
@@ -134,8 +149,8 @@ double TrainingSet::width_error(float mx, const std::vector<double>& errors) con
 void TrainingSet::relate_to(const std::vector<LobePattern>& rules) {
     std::vector<double> best(m_groups.size(), 1e30);
     for (const LobePattern& rule : rules) {
-        const std::vector<double> all = errors(rule);
-        for (size_t g = 0; g < m_groups.size(); ++g) best[g] = std::min(best[g], width_error(m_groups[g].lobe.mx, all));
+        const std::vector<double> all = errors([&](float) { return rule; });
+        for (size_t g = 0; g < m_groups.size(); ++g) best[g] = std::min(best[g], width_error(m_groups[g].m, all));
     }
     for (size_t g = 0; g < m_groups.size(); ++g) m_groups[g].scale /= best[g];
 }

@@ -1,4 +1,4 @@
-// What patterns are tuned on: points under stress lights, with the radiance they should get.
+// What patterns are tuned on: points under lights, with the radiance they should get.
 #pragma once
 
 #include <burnish/light/environment.h>
@@ -6,6 +6,7 @@
 #include <burnish/shading/shading_point.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,21 +15,27 @@ namespace burnish {
 
 struct TrainingPoint {
     ShadingPoint point;
-    float truth, albedo;  // reflected radiance; reflected radiance under constant light
+    float truth, albedo;  // reflected radiance without the suns', which are no lookups' work; and that under constant light
     double importance;    // squared: the share of the picture the point stands for, relative to an equal choice
 };
 
 /// Points of one lobe under one light.
 struct TrainingGroup {
     const Environment* light;
+    float m;
     LobeParameters lobe;
     std::vector<TrainingPoint> points;
     double scale;      // of errors: makes their squares sum to the mean square error relative to that of the light's reflection
     size_t first = 0;  // of its errors among all
 };
 
-/// `count` stress lights, seeds counted from `seed`; or the files, if any are named.
-std::vector<Environment> training_lights(int count, uint32_t seed, const std::vector<std::string>& files);
+using MakeLight = std::function<Image(uint32_t seed)>;
+/// `count` lights made in code, seeds counted from `seed`.
+std::vector<Environment> made_lights(int count, uint32_t seed, const MakeLight& make);
+std::vector<Environment> lights_from(const std::vector<std::string>& files);
+
+/// The pattern for lobes with m = sqrt(mx my).
+using PatternOf = std::function<LobePattern(float m)>;
 
 class TrainingSet {
 public:
@@ -37,12 +44,14 @@ public:
                 uint32_t seed);
 
     size_t size() const { return m_points; }
-    /// Relative errors of `pattern` at every point, as `regular` with the default level bias and an exact albedo correction makes them.
-    std::vector<double> errors(const LobePattern& pattern) const;
+    /// sqrt(mx my) at every point.
+    std::vector<float> point_widths() const;
+    /// Relative errors of a pattern at every point, as `regular` with the default level bias and an exact albedo correction makes them.
+    std::vector<double> errors(const PatternOf& pattern_of) const;
     /// Divides every group's errors by those of the rule that is best at its width, so that no roughness outweighs another.
     void relate_to(const std::vector<LobePattern>& rules);
-    /// Of `errors`, the root mean square at the width with this mx.
-    double width_error(float mx, const std::vector<double>& errors) const;
+    /// Of `errors`, the root mean square at width m.
+    double width_error(float m, const std::vector<double>& errors) const;
 
 private:
     void fill(TrainingGroup& group, int points, uint32_t seed) const;

@@ -1,12 +1,15 @@
 // Fits the tuned patterns and prints their table: burnish_tune_patterns > core/burnish/sampling/tuned_patterns.def
 //
-// Least squares: the residuals are the errors of `regular` at points on spheres under stress lights, for all roughnesses at
-// once, each relative to what the equally spaced pattern leaves there with the best border and level bias for it. The unknowns are places, shares and levels of a
-// pattern's orbits. Starts are rows of samples across the lobe, in every arrangement that suits its anisotropy; all are
-// fitted on few points, the best on all. The same seed gives the same table, whatever the number of threads.
-#include "training_set.h"
+// Errors of `regular` are taken at points on spheres under stress lights (a few small spots) and room lights (texture, windows and
+// lamps), each relative to what the equally spaced pattern leaves there with the best border and level bias for that width and kind
+// of light. Starts are rows of samples across the lobe, in every arrangement that suits its anisotropy, fitted as one pattern for
+// all widths on few points; the best become families over the width, fitted on all. The same seed gives the same table, whatever
+// the number of threads.
+#include "pattern_family.h"
 
-#include <ceres/ceres.h>
+#include "core/room_light.h"
+#include "core/scenes.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -19,6 +22,10 @@ namespace {
 
 constexpr int kManyWays = 9;          // up to here a sample more or less in a row makes a different pattern
 constexpr double kStartRadius = 1.4;  // of the Gaussian lobe that the rows fill, exp(-1.4^2) = 0.14 beyond
+constexpr int kFirstIterations = 5, kIterations = 12;
+constexpr size_t kFinalists = 2;
+
+const char* name_of(LobeTail tail) { return tail == LobeTail::gaussian ? "gaussian" : "long_tail"; }
 
 float lobe_radius(LobeTail tail, float xi) { return tail == LobeTail::gaussian ? gaussian_radius(xi) : std::sqrt(1 / xi - 1); }
 
@@ -73,175 +80,155 @@ std::vector<std::vector<Orbit>> starts(int n, float aspect, LobeTail tail) {
     return list;
 }
 
-/// The unknowns of a pattern: logarithms of what must stay positive, and levels.
-class Unknowns {
-public:
-    explicit Unknowns(const std::vector<Orbit>& start) : m_start(start) {}
-
-    std::vector<double> values() const {
-        std::vector<double> x;
-        for (const Orbit& orbit : m_start) {
-            if (orbit.u > 0) x.push_back(std::log(orbit.u));
-            if (orbit.v > 0) x.push_back(std::log(orbit.v));
-            x.push_back(std::log(orbit.share)), x.push_back(orbit.level);
-        }
-        return x;
-    }
-
-    std::vector<Orbit> orbits(const double* x) const {
-        std::vector<Orbit> orbits = m_start;
-        for (Orbit& orbit : orbits) {
-            if (orbit.u > 0) orbit.u = static_cast<float>(std::exp(*x++));
-            if (orbit.v > 0) orbit.v = static_cast<float>(std::exp(*x++));
-            orbit.share = static_cast<float>(std::exp(*x++)), orbit.level = static_cast<float>(*x++);
-        }
-        return orbits;
-    }
-
-private:
-    std::vector<Orbit> m_start;
-};
-
-/// Errors of a pattern and their differences with its unknowns.
-class PatternErrors : public ceres::CostFunction {
-public:
-    PatternErrors(const Unknowns& unknowns, LobeTail tail, const TrainingSet& training)
-        : m_unknowns(unknowns), m_tail(tail), m_training(training) {
-        set_num_residuals(static_cast<int>(training.size()));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns.values().size()));
-    }
-
-    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-        const int count = parameter_block_sizes()[0];
-        std::vector<double> x(parameters[0], parameters[0] + count);
-        const std::vector<double> here = errors(x);
-        std::ranges::copy(here, residuals);
-        if (!jacobians || !jacobians[0]) return true;
-        for (int k = 0; k < count; ++k) {
-            x[k] += kStep;
-            const std::vector<double> there = errors(x);
-            x[k] -= kStep;
-            for (size_t i = 0; i < here.size(); ++i) jacobians[0][i * count + k] = (there[i] - here[i]) / kStep;
-        }
-        return true;
-    }
-
-private:
-    static constexpr double kStep = 0.02;  // wide enough to see past the kinks of trilinear lookups
-
-    std::vector<double> errors(const std::vector<double>& x) const {
-        return m_training.errors(unfolded(m_unknowns.orbits(x.data()), m_tail));
-    }
-
-    const Unknowns& m_unknowns;
-    LobeTail m_tail;
-    const TrainingSet& m_training;
-};
-
-/// Mean square error relative to the best equally spaced pattern's, and the pattern that has it.
-struct Fit {
-    double cost;
-    std::vector<Orbit> orbits;
-};
-
-Fit fitted(const std::vector<Orbit>& start, LobeTail tail, const TrainingSet& training, int iterations) {
-    const Unknowns unknowns(start);
-    std::vector<double> x = unknowns.values();
-    ceres::Problem problem;
-    problem.AddResidualBlock(new PatternErrors(unknowns, tail, training), nullptr, x.data());
-    ceres::Solver::Options options;
-    options.max_num_iterations = iterations, options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-    options.function_tolerance = 1e-4, options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    return {2 * summary.final_cost, unknowns.orbits(x.data())};
+/// The equally spaced pattern, its level bias changed by this much.
+LobePattern rule(int n, float aspect, LobeTail tail, float border, float bias) {
+    const auto radius_of = [&](float xi) { return lobe_radius(tail, xi); };
+    LobePattern pattern = regular_pattern(PatternKind::automatic, n, aspect, 1, border, radius_of);
+    for (PatternSample& s : pattern) s.area *= std::exp2(2 * bias);
+    return pattern;
 }
 
-/// The equally spaced pattern at many borders and level biases (as areas, relative to the default bias).
-std::vector<LobePattern> rules(int n, float aspect, LobeTail tail) {
+/// With many borders and level biases, or with the defaults alone.
+std::vector<LobePattern> rules(int n, float aspect, LobeTail tail, bool defaults) {
+    const float own = default_border(n, [&](float xi) { return lobe_radius(tail, xi); });
+    if (defaults) return {rule(n, aspect, tail, own, 0)};
     std::vector<LobePattern> list;
     for (const float border : {0.02f, 0.04f, 0.07f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.4f})
-        for (const float bias : {-0.3f, 0.0f, 0.3f, 0.6f}) {
-            const auto radius_of = [&](float xi) { return lobe_radius(tail, xi); };
-            LobePattern pattern = regular_pattern(PatternKind::automatic, n, aspect, border, radius_of);
-            for (PatternSample& s : pattern) s.area *= std::exp2(2 * bias);
-            list.push_back(std::move(pattern));
-        }
+        for (const float bias : {-0.3f, 0.0f, 0.3f, 0.6f}) list.push_back(rule(n, aspect, tail, border, bias));
     return list;
 }
 
-std::vector<Orbit> best_fit(int n, float aspect, LobeTail tail, const TrainingSet& few, const TrainingSet& all) {
-    Fit best{1e30, {}};
-    for (const std::vector<Orbit>& start : starts(n, aspect, tail)) {
-        Fit fit = fitted(start, tail, few, 5);
-        if (fit.cost < best.cost) best = std::move(fit);
+/// Every start is fitted as one pattern of all widths on few points; the best at every width on all points.
+Family best_fit(int n, float aspect, LobeTail tail, const std::vector<float>& widths, const TrainingSets& few,
+                const TrainingSets& all) {
+    std::vector<Fit> fits;
+    for (const std::vector<Orbit>& start : starts(n, aspect, tail))
+        fits.push_back(fitted(Family({1}, {start}), tail, few, kFirstIterations));
+    std::ranges::stable_sort(fits, {}, &Fit::cost);
+    std::vector<Fit> finalists;
+    for (size_t i = 0; i < std::min(fits.size(), kFinalists); ++i) {
+        const Family spread(widths, std::vector(widths.size(), fits[i].family.orbits()[0]));
+        finalists.push_back(fitted(spread, tail, all, kIterations));
     }
-    return fitted(best.orbits, tail, all, 15).orbits;
+    return std::ranges::min(finalists, {}, &Fit::cost).family;
 }
 
-/// Prints the line of the table, and returns the pattern.
-LobePattern print(const std::vector<Orbit>& orbits, LobeTail tail, int n, float aspect) {
-    double total = 0;
-    for (const Orbit& o : orbits) total += o.share * (o.u > 0 ? 2 : 1) * (o.v > 0 ? 2 : 1);
-    std::printf("BURNISH_TUNED_PATTERN(%s, %d, %g", tail == LobeTail::gaussian ? "gaussian" : "long_tail", n, aspect);
-    for (const Orbit& o : orbits) std::printf(", {%.4g, %.4g, %.4g, %.3g}", o.u, o.v, o.share / total, o.level);
-    std::puts(")");
+/// Prints the lines of the table.
+void print(const Family& family, LobeTail tail, int n, float aspect) {
+    for (size_t i = 0; i < family.widths().size(); ++i) {
+        const std::vector<Orbit>& orbits = family.orbits()[i];
+        double total = 0;
+        for (const Orbit& o : orbits) total += o.share * (o.u > 0 ? 2 : 1) * (o.v > 0 ? 2 : 1);
+        std::printf("BURNISH_TUNED_PATTERN(%s, %d, %g, %g", name_of(tail), n, aspect, family.widths()[i]);
+        for (const Orbit& o : orbits) std::printf(", {%.4g, %.4g, %.4g, %.3g}", o.u, o.v, o.share / total, o.level);
+        std::puts(")");
+    }
     std::fflush(stdout);
-    return unfolded(orbits, tail);
 }
 
-/// Prints a pattern's error relative to the best equally spaced pattern's: of all widths, and of each.
-void report(std::FILE* file, const TrainingSet& set, const LobePattern& pattern, const std::vector<float>& mx) {
-    const std::vector<double> errors = set.errors(pattern);
-    std::fprintf(file, " %.3f, by width", std::sqrt(std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0)));
-    for (const float width : mx) std::fprintf(file, " %.3f", set.width_error(width, errors));
-    std::fputs("\n", file);
+/// Prints errors relative to the best equally spaced pattern's, for each kind of light: of all widths, and of each.
+void report(std::FILE* file, const TrainingSets& sets, const PatternOf& pattern_of, const std::vector<float>& widths) {
+    for (const TrainingSet& set : sets) {
+        const std::vector<double> errors = set.errors(pattern_of);
+        std::fprintf(file, " %.3f, by width", std::sqrt(std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0)));
+        for (const float m : widths) std::fprintf(file, " %.3f", set.width_error(m, errors));
+        std::fputs(&set == &sets.back() ? "\n" : "; ", file);
+    }
+    std::fflush(file);
+}
+
+/// What to fit, for isotropic lobes or for others.
+struct Plan {
+    std::vector<int> samples;
+    std::vector<float> nodes, widths;
+};
+
+struct Options {
+    Plan isotropic{
+        {3, 4, 5, 7, 9, 12, 16, 19, 30}, {0.02f, 0.06f, 0.15f, 0.4f}, {0.02f, 0.035f, 0.06f, 0.1f, 0.15f, 0.25f, 0.4f}};
+    Plan anisotropic{{3, 4, 5, 7, 9, 12, 16, 19, 30}, {0.03f, 0.08f, 0.2f}, {0.03f, 0.05f, 0.08f, 0.12f, 0.2f}};
+    std::vector<float> aspects{1.0f, 1.3f};
+    std::vector<std::string> tails{"gaussian", "long_tail"}, files;
+    int lights = 32, points = 50;
+    uint32_t seed = 1;
+    bool check = false, defaults = false;
+};
+
+Options parsed(CLI::App& app, int argc, char** argv) {
+    Options options;
+    const auto add_list = [&](const std::string& name, auto& list, const std::string& what) {
+        app.add_option(name, list, what)->delimiter(',')->capture_default_str();
+    };
+    const auto add_plan = [&](const std::string& prefix, Plan& plan, const std::string& lobes) {
+        add_list(prefix + "samples", plan.samples, "counts, " + lobes);
+        add_list(prefix + "nodes", plan.nodes, "widths m = sqrt(mx my) of the table's lines, " + lobes);
+        add_list(prefix + "widths", plan.widths, "m of the lobes they are fitted to or checked on, " + lobes);
+    };
+    add_plan("--", options.isotropic, "isotropic lobes");
+    add_plan("--anisotropic-", options.anisotropic, "other lobes");
+    add_list("--aspects", options.aspects, "max(mx, my) / min(mx, my); 1 is the isotropic lobe");
+    add_list("--tails", options.tails, "gaussian, long_tail");
+    add_list("--lights-from", options.files, "environment files instead of lights made in code");
+    app.add_option("--lights", options.lights, "number of stress lights, and of room lights")->capture_default_str();
+    app.add_option("--points", options.points, "per light and width")->capture_default_str();
+    app.add_option("--seed", options.seed, "of the first light")->capture_default_str();
+    app.add_flag("--check", options.check, "instead print the errors of the table as compiled in");
+    app.add_flag("--against-defaults", options.defaults,
+                 "errors relative to the equally spaced pattern with the default border and level bias, not with the best");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::exit(app.exit(error));
+    }
+    return options;
+}
+
+/// Lights of every kind: stress lights and room lights, or the files.
+std::vector<std::vector<Environment>> light_kinds(const Options& options) {
+    if (!options.files.empty()) return {lights_from(options.files)};
+    return {made_lights(options.lights, options.seed, [](uint32_t seed) { return scenes::stress_light(seed); }),
+            made_lights(options.lights, options.seed, [](uint32_t seed) { return scenes::room_light(seed); })};
+}
+
+/// Fits, or checks, the patterns of one tail and aspect.
+void run(LobeTail tail, float aspect, const std::vector<std::vector<Environment>>& kinds, const Options& options) {
+    const Plan& plan = aspect == 1 ? options.isotropic : options.anisotropic;
+    TrainingSets few, all;
+    for (const std::vector<Environment>& kind : kinds) {
+        const std::span<const Environment> some(kind.data(), std::max<size_t>(kind.size() / 4, 1));
+        if (!options.check) few.emplace_back(tail, aspect, plan.widths, some, options.points, options.seed);
+        all.emplace_back(tail, aspect, plan.widths, kind, options.points, options.seed);
+    }
+    for (const int n : plan.samples) {
+        const std::vector<LobePattern> references = rules(n, aspect, tail, options.defaults);
+        for (TrainingSet& set : few) set.relate_to(references);
+        for (TrainingSet& set : all) set.relate_to(references);
+        std::FILE* file = options.check ? stdout : stderr;
+        const auto title = [&] { std::fprintf(file, "%s %d, aspect %g:", name_of(tail), n, aspect); };
+        if (options.check) {
+            const float half_aspect = std::sqrt(aspect);
+            title(),
+                report(
+                    file, all, [&](float m) { return tuned_pattern(n, m * half_aspect, m / half_aspect, tail); }, plan.widths);
+        } else {
+            const Family family = best_fit(n, aspect, tail, plan.nodes, few, all);
+            print(family, tail, n, aspect);
+            title(), report(
+                         file, all, [&](float m) { return unfolded(family.at(m), tail); }, plan.widths);
+        }
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::vector<int> samples{3, 4, 5, 7, 9, 12, 16, 19, 30};
-    std::vector<float> aspects{1.0f, 1.3f}, widths{0.02f, 0.05f, 0.1f, 0.2f, 0.4f}, anisotropic_widths{0.03f, 0.08f, 0.2f};
-    std::vector<std::string> tails{"gaussian", "long_tail"};
-    int lights = 16, points = 125;
-    uint32_t seed = 1;
-    bool check = false;
-    std::vector<std::string> files;
-    CLI::App app("Fits patterns of few samples to stress lights and prints their table");
-    app.add_option("--samples", samples, "counts")->delimiter(',')->capture_default_str();
-    app.add_option("--aspects", aspects, "max(mx, my) / min(mx, my); 1 is the isotropic lobe")
-        ->delimiter(',')
-        ->capture_default_str();
-    app.add_option("--widths", widths, "slope widths m fitted together, isotropic lobe")->delimiter(',')->capture_default_str();
-    app.add_option("--anisotropic-widths", anisotropic_widths, "the same of other lobes, m = sqrt(mx my)")
-        ->delimiter(',')
-        ->capture_default_str();
-    app.add_option("--tails", tails, "gaussian, long_tail")->delimiter(',')->capture_default_str();
-    app.add_option("--lights", lights, "number of stress lights")->capture_default_str();
-    app.add_option("--points", points, "per light and width")->capture_default_str();
-    app.add_option("--lights-from", files, "environment files instead of stress lights")->delimiter(',');
-    app.add_flag("--check", check, "instead print the errors of the table as compiled in, relative to the equally spaced");
-    app.add_option("--seed", seed, "of the first light")->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
-    const std::vector<Environment> light_list = training_lights(lights, seed, files);
-    const std::span<const Environment> some(light_list.data(), std::max<size_t>(light_list.size() / 4, 1));
-    if (!check) std::puts("// Written by burnish_tune_patterns: tail, samples, aspect, then the orbits {u, v, share, level}.");
-    for (const std::string& name : tails)
-        for (const float aspect : aspects) {
-            const LobeTail tail = name == "gaussian" ? LobeTail::gaussian : LobeTail::long_tail;
-            std::vector<float> together = aspect == 1 ? widths : anisotropic_widths;
-            TrainingSet all(tail, aspect, together, light_list, points, seed);
-            TrainingSet few(tail, aspect, together, some, points, seed);
-            for (float& m : together) m = std::min(m * std::sqrt(aspect), 1.0f);
-            for (const int n : samples) {
-                const std::vector<LobePattern> references = rules(n, aspect, tail);
-                few.relate_to(references), all.relate_to(references);
-                const LobePattern pattern =
-                    check ? tuned_pattern(n, aspect, tail) : print(best_fit(n, aspect, tail, few, all), tail, n, aspect);
-                std::fprintf(check ? stdout : stderr, "%s %d, aspect %g:", name.c_str(), n, aspect);
-                report(check ? stdout : stderr, all, pattern, together);
-            }
-        }
+    CLI::App app("Fits patterns of few samples to lights and prints their table");
+    const Options options = parsed(app, argc, argv);
+    const std::vector<std::vector<Environment>> kinds = light_kinds(options);
+    if (!options.check)
+        std::puts("// Written by burnish_tune_patterns: tail, samples, aspect, m, then the orbits {u, v, share, level}.");
+    for (const std::string& tail : options.tails)
+        for (const float aspect : options.aspects)
+            run(tail == name_of(LobeTail::gaussian) ? LobeTail::gaussian : LobeTail::long_tail, aspect, kinds, options);
     return 0;
 }

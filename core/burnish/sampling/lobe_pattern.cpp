@@ -118,10 +118,16 @@ LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radi
     return stretched(std::move(pattern), radius_of);
 }
 
-LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of) {
-    if (kind == PatternKind::automatic && border == 0 && is_tuned_better(samples, aspect)) kind = PatternKind::tuned;
-    if (kind == PatternKind::tuned) return tuned_pattern(samples, aspect, lobe_tail(radius_of));
-    if (kind == PatternKind::automatic && std::max(aspect, 1 / aspect) > kExtremeAspect) kind = PatternKind::line;
+PatternKind chosen_kind(PatternKind kind, int samples, float aspect, float border) {
+    if (kind != PatternKind::automatic) return kind;
+    if (border == 0 && is_tuned_better(samples, aspect)) return PatternKind::tuned;
+    return std::max(aspect, 1 / aspect) > kExtremeAspect ? PatternKind::line : kind;
+}
+
+LobePattern regular_pattern(PatternKind wanted, int samples, float mx, float my, float border, const RadiusOf& radius_of) {
+    const float aspect = mx / my;
+    const PatternKind kind = chosen_kind(wanted, samples, aspect, border);
+    if (kind == PatternKind::tuned) return tuned_pattern(samples, mx, my, lobe_tail(radius_of));
     const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;  // a line reaches further with the same count
     const float xi0 = border > 0 ? border : default_border(rings_worth, radius_of);
     if (kind == PatternKind::ring) return ring_pattern(std::max(samples, 2), xi0, radius_of);

@@ -1,7 +1,7 @@
 // Regular sample patterns over a lobe: where the few filtered lookups of the `regular` estimator go.
 //
 // A pattern lives in normalised slope space: a sample (u, v) stands for the microfacet normal with slopes
-// (mx u, my v), h = (mx u, my v, 1) / |.|, so one pattern serves a lobe at every roughness. Circles are laid out as for a Gaussian
+// (mx u, my v), h = (mx u, my v, 1) / |.|, so one layout serves a lobe at every roughness. Circles are laid out as for a Gaussian
 // lobe, exp(-w^2) (Beckmann, Kurt); other lobes stretch the radius so that equal shares of energy lie within equal
 // circles, and a long tail gets more circles of fewer samples.
 #pragma once
@@ -42,10 +42,14 @@ LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of);
 /// n equally spaced samples along the wider axis, for strongly anisotropic lobes (Walkthrough 4.4.3). n >= 1.
 LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of);
 
-/// The pattern of `kind` whose count is nearest to `samples`; circles try both spacings and a few first circles.
-/// border = 0 takes the measured default for the count, `default_border`. Tuned patterns have no border: with one given,
-/// `automatic` lays out circles or a line.
-LobePattern regular_pattern(PatternKind kind, int samples, float aspect, float border, const RadiusOf& radius_of);
+/// What `automatic` stands for: `tuned` where that measured better and no border is given, as tuned patterns have none; else a
+/// line for very long lobes, else circles of either spacing (`automatic` still). Other kinds stand for themselves.
+PatternKind chosen_kind(PatternKind kind, int samples, float aspect, float border);
+
+/// The pattern of `kind` whose count is nearest to `samples`, for a lobe of these widths; circles try both spacings and a few
+/// first circles. Tuned patterns depend on mx and my, all others on mx/my alone. border = 0 takes the measured default for the
+/// count, `default_border`.
+LobePattern regular_pattern(PatternKind kind, int samples, float mx, float my, float border, const RadiusOf& radius_of);
 
 /// xi0 for n samples, between what measured best on stress lights with rough lobes and on a real HDR with smooth ones
 /// (docs/measured.md). A long tail, as of GGX, holds energy that only samples far out see, and wants a lower border.

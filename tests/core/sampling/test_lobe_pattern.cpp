@@ -28,11 +28,12 @@ TEST(LobePattern, HasTheCountsOfTheSource) {
 
 TEST(LobePattern, MeetsAnySmallBudgetClosely) {
     for (int n = 1; n <= 64; ++n) {
-        const int found = static_cast<int>(regular_pattern(PatternKind::automatic, n, 1.0f, 0.1f, gaussian_radius).size());
+        const int found =
+            static_cast<int>(regular_pattern(PatternKind::automatic, n, 0.1f, 0.1f, 0.1f, gaussian_radius).size());
         EXPECT_LE(std::abs(found - n), n <= 24 ? 2 : 5) << n;
     }
     for (const int n : {7, 14, 16, 19, 30})
-        EXPECT_EQ(regular_pattern(PatternKind::automatic, n, 1.0f, 0, gaussian_radius).size(), size_t(n));
+        EXPECT_EQ(regular_pattern(PatternKind::automatic, n, 0.1f, 0.1f, 0, gaussian_radius).size(), size_t(n));
 }
 
 TEST(LobePattern, AreasTileTheLobe) {
@@ -72,7 +73,7 @@ TEST(LobePattern, FollowsTheLobesEnergyAsTheCountGrows) {
 TEST(LobePattern, LineLiesAlongTheWiderAxis) {
     for (const PatternSample& s : line_pattern(9, 10.0f, 0.1f, gaussian_radius)) EXPECT_EQ(s.v, 0);
     for (const PatternSample& s : line_pattern(9, 0.1f, 0.1f, gaussian_radius)) EXPECT_EQ(s.u, 0);
-    EXPECT_EQ(regular_pattern(PatternKind::automatic, 9, 20.0f, 0.1f, gaussian_radius).size(), 9u);
+    EXPECT_EQ(regular_pattern(PatternKind::automatic, 9, 0.4f, 0.02f, 0.1f, gaussian_radius).size(), 9u);
 }
 
 TEST(LobePattern, LongTailsKeepTheEnergyOfEveryCircle) {
