@@ -8,15 +8,17 @@ import difflib
 import importlib.util
 import os
 import pathlib
+import signal
 import sys
 
 from .charting import benchmark, measure, picture, table
 from .errors import BadArgument, Error, ReadFailed, WriteFailed
 
-DESCRIPTION = """Measures every estimator with several counts of lookups, on every material, under every light of a fixed
-benchmark set, against the converged reference. Writes DIR/estimators.csv (errors relative, PSNR in dB, shading in nanoseconds
-per pixel and tables in seconds, both of one thread) and DIR/estimators.png, and prints what 40 dB cost."""
-FAILED, USAGE, STOPPED = 1, 2, 130
+DESCRIPTION = f"""Measures every estimator with several counts of lookups, on every material, under every light of a
+fixed benchmark set, against the converged reference. Writes DIR/estimators.csv (errors relative, PSNR in dB, shading in
+nanoseconds per pixel and tables in seconds, both of one thread) and DIR/estimators.png, and prints what
+{table.TARGET_DB} dB cost."""
+FAILED, USAGE, SIGNAL_BASE = 1, 2, 128
 QUICK = dict(size=24, step=4, tolerance=0.03, seconds=0.0)
 
 
@@ -37,17 +39,21 @@ def fail(name, message, code):
 def parser():
     """The command line."""
     names = ", ".join(material.name for material in benchmark.MATERIALS)
-    words = Parser("burnish chart", description=DESCRIPTION, epilog=f"Materials: {names}. Lights: "
-                   f"{', '.join(benchmark.STRESS_LIGHTS)} and the files of --env, by their names without the extension.")
+    words = Parser("burnish chart", description=DESCRIPTION,
+                   epilog=f"Materials: {names}. Lights: {', '.join(benchmark.STRESS_LIGHTS)} and the files of --env, "
+                          "by their names without the extension.")
     words.add_argument("--estimators", action="store_true", help="chart the estimators (the one chart there is)")
     words.add_argument("-o", "--output", metavar="DIR", type=pathlib.Path, required=True, help="folder to write to")
-    words.add_argument("--env", metavar="FILE", action="append", default=[], help="environment map as a further light, Y up; repeatable")
+    words.add_argument("--env", metavar="FILE", action="append", default=[],
+                       help="environment map as a further light, Y up; repeatable")
     words.add_argument("--materials", metavar="NAME", nargs="+", help="only these materials")
     words.add_argument("--lights", metavar="NAME", nargs="+", help="only these lights")
     words.add_argument("--size", metavar="PIXELS", type=int,
                        help=f"diameter of the sphere whose pixels have a reference, 8 to 1024 [{measure.Effort.size}]")
-    words.add_argument("--quick", action="store_true", help="a small sphere, a coarse reference, one run each: seconds a material")
-    words.add_argument("--threads", metavar="N", type=int, default=0, help="worker threads of the reference; 0: all cores [0]")
+    words.add_argument("--quick", action="store_true",
+                       help="a small sphere, a coarse reference, one run each: seconds a material")
+    words.add_argument("--threads", metavar="N", type=int, default=0,
+                       help="worker threads of the reference; 0: all cores [0]")
     words.add_argument("-q", "--quiet", action="store_true", help="no progress")
     return words
 
@@ -58,13 +64,20 @@ def main(arguments=None):
     options = words.parse_args(arguments)
     if not options.estimators:
         words.error("what to chart? --estimators is what there is")
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, stop)
     try:
         run(options)
     except Error as error:
         return fail(error.code, error, USAGE if isinstance(error, BadArgument) else FAILED)
-    except KeyboardInterrupt:
-        return fail("E_CANCELLED", "stopped by Ctrl-C; nothing was written", STOPPED)
+    except KeyboardInterrupt as stopped:
+        return fail("E_CANCELLED", "stopped; nothing was written", SIGNAL_BASE + stopped.args[0])
     return 0
+
+
+def stop(number, _):
+    """Let a signal end the run as Ctrl-C does, also where the shell had it ignored."""
+    raise KeyboardInterrupt(number)
 
 
 def run(options):
@@ -100,8 +113,8 @@ def chosen(option, everything, names):
     for name in names or ():
         if name not in everything:
             near = difflib.get_close_matches(name, everything, 1)
-            raise BadArgument(f"{option}: no '{name}'" + (f", did you mean {near[0]}?" if near else "")
-                              + f" There are {', '.join(everything)}")
+            raise BadArgument(f"{option}: no '{name}'" + (f", did you mean {near[0]}?" if near else ";")
+                              + f" there are {', '.join(everything)}")
     return {name: everything[name] for name in names or everything}
 
 
@@ -132,9 +145,9 @@ def write(folder, rows):
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with beside(folder / "estimators.csv") as lines, beside(folder / "estimators.png") as image:
-            with open(lines, "w", encoding="ascii") as file:
+            with open(lines, "w", encoding="utf-8") as file:
                 table.write_csv(rows, file)
-            picture.draw(rows).savefig(image, format="png")
+            picture.save(picture.draw(rows), image)
     except OSError as error:
         raise WriteFailed(f"{folder}: {error.strerror or error}; choose another folder with -o") from error
 

@@ -54,7 +54,7 @@ MATERIALS = tuple(Material(model, m, m) for model in ("beckmann", "ggx") for m i
 
 
 def sphere(size):
-    """Role name -> array: a unit sphere of `size` pixels seen from CAMERA, black before black; P = N = 0 in the background."""
+    """Role name -> array: a unit sphere of `size` pixels seen from CAMERA, its beauty black; background P = N = 0."""
     distance = CAMERA[2]
     half = 1 / np.sqrt(distance**2 - 1)  # tangent of the angle the outline is seen under
     x = half * (2 * (np.arange(size) + 0.5) / size - 1)
@@ -74,7 +74,7 @@ def view_cosines(frame):
 
 
 def stress_light(seed, height=512, spots=40):
-    """A lat-long, shape (height, 2 height, 3): spots of 2-10 degrees up to 3000:1 (log-uniform) on a background of 1."""
+    """A lat-long, (height, 2 height, 3): spots of 2-10 degrees, up to 3000:1 (log-uniform), on a background of 1."""
     random = np.random.default_rng(seed)
     theta = np.pi * (np.arange(height) + 0.5) / height
     phi = np.pi * (np.arange(2 * height) + 0.5) / height

@@ -1,7 +1,7 @@
 """Error and cost of one estimator setting on one material under one light.
 
-The reference is itself an estimate: its standard error, which it measures at every pixel, is squared and taken out of the
-mean squares below, so that a figure is the estimator's own error. A figure of 0 lies below the reference's noise.
+The reference is itself an estimate: its standard error, which it measures at every pixel, is squared and taken out of
+the mean squares below, so that a figure is the estimator's own error. A figure of 0 lies below the reference's noise.
 """
 
 from __future__ import annotations
@@ -61,20 +61,12 @@ def encoding_slope(linear):
     return inside * np.where(linear <= 0.0031308, 12.92, 1.055 / 2.4 * np.maximum(linear, 0.0031308) ** (1 / 2.4 - 1))
 
 
+@dataclasses.dataclass(frozen=True)
 class Truth:
-    """The reference of one material and light, and its noise: arrays over the covered pixels, shape (n, 3)."""
+    """A reference: linear radiance of n pixels and its standard error."""
 
-    def __init__(self, frame, light, material, effort):
-        layers = shade(frame, light, material, effort.threads, estimator="reference", tolerance=effort.tolerance,
-                       max_samples=MOST_LOOKUPS)
-        self.covered = layers["validity"] == 0
-        self.grazing = benchmark.view_cosines(frame)[self.covered] < GRAZING
-        self.radiance = layers["overlay"][self.covered].astype(np.float64)
-        self.lookups = layers["samples"][self.covered].mean()
-        luminance = np.maximum(self.radiance @ (0.2126, 0.7152, 0.0722), 1e-30)
-        relative = layers["error"][self.covered] / luminance  # a pixel's noise has the pixel's hue
-        self.noise = self.radiance * relative[:, None]
-        self.exposure = MIDDLE_GREY / self.radiance.mean()
+    radiance: np.ndarray  # shape (n, 3)
+    noise: np.ndarray  # shape (n, 3)
 
     def relative_rms(self, overlay, where=slice(None)):
         """RMS error over RMS of the reference, over the pixels of `where`."""
@@ -83,9 +75,10 @@ class Truth:
 
     def psnr_db(self, overlay):
         """Display PSNR in dB; infinite below the reference's noise."""
-        shown = self.radiance * self.exposure
-        noise = self.noise * self.exposure * encoding_slope(shown)
-        error = mean_square(encode(overlay * self.exposure) - encode(shown)) - mean_square(noise)
+        exposure = MIDDLE_GREY / self.radiance.mean()
+        shown = self.radiance * exposure
+        noise = self.noise * exposure * encoding_slope(shown)
+        error = mean_square(encode(overlay * exposure) - encode(shown)) - mean_square(noise)
         return -10 * np.log10(error) if error > 0 else np.inf
 
     def noise_rms(self):
@@ -103,6 +96,14 @@ def shade(frame, light, material, threads, **settings):
     return composite(frame, light, material.lobe(), camera=benchmark.CAMERA, threads=threads, **settings)
 
 
+def truth_of(layers, covered):
+    """The Truth that the layers of the estimator `reference` hold where `covered`."""
+    radiance = layers["overlay"][covered].astype(np.float64)
+    luminance = np.maximum(radiance @ (0.2126, 0.7152, 0.0722), 1e-30)
+    relative = layers["error"][covered] / luminance  # a pixel's noise has the pixel's hue
+    return Truth(radiance, radiance * relative[:, None])
+
+
 class Bench:
     """Measures materials under lights on one sphere; the reference sees every few pixels of it."""
 
@@ -111,22 +112,27 @@ class Bench:
         self.sphere = benchmark.sphere(effort.size * effort.step)
         self.every = (slice(effort.step // 2, None, effort.step),) * 2
         self.sparse_sphere = {role: array[self.every] for role, array in self.sphere.items()}
+        cosines = benchmark.view_cosines(self.sparse_sphere)
+        self.covered = cosines > 0
+        self.grazing = cosines[self.covered] < GRAZING
 
     def rows(self, light_name, light, material):
         """The rows of all estimators, one after the other."""
-        truth = Truth(self.sparse_sphere, light, material, self.effort)
-        for estimator in benchmark.LOOKUPS:  # the light's filtered levels are made when first asked for: no lobe's tables
+        reference = shade(self.sparse_sphere, light, material, self.effort.threads, estimator="reference",
+                          tolerance=self.effort.tolerance, max_samples=MOST_LOOKUPS)
+        truth, spent = truth_of(reference, self.covered), float(reference["samples"][self.covered].mean())
+        for estimator in benchmark.LOOKUPS:  # makes the light's filtered levels, which are no lobe's tables
             shade(self.sparse_sphere, light, material, self.effort.threads, estimator=estimator, samples=1)
         for estimator, counts in benchmark.LOOKUPS.items():
             for samples in counts:
                 overlay, lookups, shading, tables = self.run(light, material, estimator, samples)
-                overlay = overlay[self.every][truth.covered]
-                yield Row(light_name, material.name, material.kind, estimator, samples, lookups,
-                          truth.relative_rms(overlay), truth.relative_rms(overlay, truth.grazing), truth.psnr_db(overlay),
-                          truth.noise_rms(), truth.lookups, 1e9 * shading, tables)
+                overlay = overlay[self.every][self.covered]
+                errors = truth.relative_rms(overlay), truth.relative_rms(overlay, self.grazing), truth.psnr_db(overlay)
+                yield Row(light_name, material.name, material.kind, estimator, samples, lookups, *errors,
+                          truth.noise_rms(), spent, 1e9 * shading, tables)
 
     def run(self, light, material, estimator, samples):
-        """Overlay, lookups per pixel, shading seconds per covered pixel, seconds for tables; the times of the fastest run."""
+        """Overlay, lookups per pixel, seconds of shading per covered pixel and of tables, each of the fastest run."""
         shading, tables, end = [], [], time.perf_counter() + self.effort.seconds
         while not shading or time.perf_counter() < end:
             layers = shade(self.sphere, light, material, 1, estimator=estimator, samples=samples)
