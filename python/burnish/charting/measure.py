@@ -26,7 +26,7 @@ class Effort:
     size: int = 64  # pixels along the sphere's diameter that have a reference
     step: int = 4  # the estimators shade, and are timed on, so many times as many along each edge
     tolerance: float = 0.01  # of the reference: standard error at each pixel, relative to its value
-    seconds: float = 0.2  # runs of each setting are repeated for so long; the fastest counts
+    seconds: float = 0.15  # runs of each setting are repeated for so long; the fastest counts
     threads: int = 0  # of the reference, 0: all cores; estimators run on one thread
 
 
