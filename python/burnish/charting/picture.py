@@ -5,6 +5,8 @@ A line joins the medians over materials and lights, its band holds the middle ha
 
 from __future__ import annotations
 
+import textwrap
+
 import numpy as np
 
 from .table import by_estimator
@@ -68,8 +70,9 @@ def heading(kind, rows):
 def subtitle(rows):
     """What the figures are of."""
     lights = list(dict.fromkeys(row.light for row in rows))
-    return ("RMS error over RMS of the reference on a sphere; lines are medians over materials and lights, bands their "
-            f"middle half;\ntimes are those of the light that was fastest. Lights: {', '.join(lights)}.")
+    names = textwrap.shorten(f"Lights: {', '.join(lights)}", 150, placeholder=" ...")
+    return ("RMS error over RMS of the reference on a sphere: medians over materials and lights, with their middle half. "
+            f"Times are of the fastest light.\n{names}")
 
 
 def quartiles(rows, name):
@@ -119,7 +122,7 @@ def add_names(panel):
         name = line.get_label().replace("_", " ")
         half = np.array((LETTER_WIDTH * len(name), NAME_HEIGHT)) / 2
         places = path[-1] + [(half[0] + 0.02, 0), (0, -0.06), (0, 0.06), (half[0], -0.06), (half[0], 0.06), (0, -0.1)]
-        place = min(places, key=lambda centre: np.sum((abs(taken - centre) < half).all(-1)))
+        place = min(np.clip(places, half, 1 - half), key=lambda centre: np.sum((abs(taken - centre) < half).all(-1)))
         diagonals = [along(place + half * [(-1, -1), (1, 1)]), along(place + half * [(-1, 1), (1, -1)])]
         taken = np.concatenate([taken, *diagonals])
         panel.annotate(name, place, xycoords="axes fraction", ha="center", va="center", fontsize=13, fontweight="bold",
