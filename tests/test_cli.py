@@ -85,11 +85,11 @@ def test_wrong_values_name_the_setting(cli, job, tmp_path, words, named):
 
 
 def test_other_words_run_programs_from_the_path(cli, tmp_path):
-    program = tmp_path / "burnish-chart"
-    program.write_text("#!/bin/sh\necho chart \"$@\"\nexit 7\n")
+    program = tmp_path / "burnish-hello"
+    program.write_text("#!/bin/sh\necho hello \"$@\"\nexit 7\n")
     program.chmod(0o755)
-    result = cli("chart", "-o", "x y", env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"})
-    assert (result.code, result.out) == (7, "chart -o x y\n")
+    result = cli("hello", "-o", "x y", env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"})
+    assert (result.code, result.out) == (7, "hello -o x y\n")
 
 
 def test_a_mistyped_command_names_the_nearest(cli):

@@ -33,6 +33,12 @@ def test_the_command_line_comes_with_it(site, words):
     assert done.returncode == 0 and done.stdout.startswith("burnish "), done.stderr
 
 
+@pytest.mark.parametrize("words", [["bin/burnish", "chart"], [sys.executable, "-m", "burnish", "chart"], ["bin/burnish-chart"]])
+def test_the_chart_comes_with_it(site, words):
+    done = subprocess.run([*words, "--help"], capture_output=True, text=True, env={"PYTHONPATH": str(site)}, cwd=site)
+    assert done.returncode == 0 and "--estimators" in done.stdout, done.stderr
+
+
 def test_no_library_is_looked_for_in_the_build(site):
     for path in (site / "burnish").rglob("*.so*"):
         headers = subprocess.run(["objdump", "-p", path], capture_output=True, text=True).stdout

@@ -1,4 +1,5 @@
-// `burnish word` for words burnish does not know: runs burnish-word from the PATH, so that other packages add commands.
+// `burnish word` for words burnish does not know: runs burnish-word, the one beside burnish (`burnish chart` of the Python
+// package) or else one from the PATH, so that other packages add commands.
 #pragma once
 
 #include "command.h"

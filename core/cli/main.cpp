@@ -16,7 +16,8 @@ using namespace burnish;
 
 constexpr int kFailure = 1, kUsage = 2, kSignalBase = 128;
 constexpr const char* kFooter =
-    "Any other word runs burnish-<word> from the PATH.\n"
+    "burnish chart, written in Python, draws error against cost: see burnish chart --help.\n"
+    "Any other word runs burnish-<word>, found beside burnish or on the PATH.\n"
     "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 some frames were skipped or failed, 130 stopped by Ctrl-C.";
 
 /// The last line of every run that fails; farms look for it.

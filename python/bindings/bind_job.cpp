@@ -12,6 +12,7 @@
 #include <burnish/job/run_frame.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
+#include <burnish/job/stages.h>
 
 namespace burnish::python {
 namespace {
@@ -75,10 +76,12 @@ py::dict composite_frame(const py::object& arrays, const py::object& light, cons
     const auto environment = light_from_python(job, light, frame.renderer);
     FrameReport report;
     FrameResult result = python_progress.run([&](const Progress& progress) {
-        const Look look = prepare_look(job, std::move(wardrobe), environment);
+        NamedValues<double> seconds;
+        const Look look = timed(seconds, "tables", [&] { return prepare_look(job, std::move(wardrobe), environment); });
         FrameResult done = run_frame(job, frame, look, assignment ? &*assignment : nullptr, progress);
         ColorFlow(job).to_output(done.composite);
         report = frame_report(job, frame, look, done.tally);
+        report.seconds.insert(report.seconds.begin(), seconds.begin(), seconds.end());
         const auto add = [&](const auto& lines) { report.warnings.insert(report.warnings.end(), lines.begin(), lines.end()); };
         add(look.wardrobe.warnings), add(environment->warnings());
         return done;

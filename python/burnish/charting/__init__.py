@@ -1,0 +1,1 @@
+"""What `burnish chart` is made of: the fixed benchmark set, its measurement, the table and the picture."""
