@@ -67,7 +67,7 @@ def test_wrong_usage_is_one_line_and_exit_code_two(cli, words, named):
 
 
 @pytest.mark.parametrize("words, named", [
-    (["--samples", "0"], "samples: expected a whole number in [1, 4096], found 0"),
+    (["--samples=-1"], "samples: expected a whole number in [0, 4096], found -1"),
     (["--samples", "many"], 'found "many"'),
     (["--gain=-1"], "gain"),
     (["--estimator", "regulr"], 'did you mean "regular"'),
