@@ -68,8 +68,14 @@ def test_the_reference_is_the_specular_that_cycles_renders(spheres):
 
 def test_nineteen_filtered_lookups_come_near_it(spheres):
     """Measured: 35.1 to 47.5 dB; 33.5 and 34.3 dB on the two anisotropic spheres, 1:11."""
-    for name, (psnr_db, _) in against_cycles(spheres, samples=19).items():
+    for name, (psnr_db, _) in against_cycles(spheres, estimator="regular", samples=19).items():
         assert psnr_db > (33 if name.startswith("aniso") else 34.8), name
+
+
+def test_six_fitted_lookups_come_nearer(spheres):
+    """The default. Measured: 37.7 to 57.0 dB; the two of 1:11 are left to `regular`."""
+    for name, (psnr_db, _) in against_cycles(spheres).items():
+        assert psnr_db > (33 if name.startswith("aniso") else 37), name
 
 
 def test_replacing_the_specular_by_its_equal_changes_little(spheres):

@@ -3,7 +3,7 @@
 
 namespace burnish {
 
-/// `fitted`: a few Gaussians fitted to the lobe; `regular`: the sources' patterns; `filtered_importance`: Colbert & Krivanek;
+/// `fitted`: a few Gaussians fitted to the lobe, but `regular` where those do not do (see MaterialShader); `regular`: the sources' patterns; `filtered_importance`: Colbert & Krivanek;
 /// `split_sum`: one prefiltered lookup, as real-time engines do; `reference`: converges to the exact integral.
 enum class EstimatorKind { fitted, regular, filtered_importance, split_sum, reference };
 

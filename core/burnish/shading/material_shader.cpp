@@ -2,6 +2,7 @@
 
 #include <burnish/light/stack_lookup.h>
 #include <burnish/material/lobe.h>
+#include <burnish/sampling/tuned_patterns.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/reference.h>
@@ -16,8 +17,9 @@ namespace burnish {
 struct MaterialShader::LobeShader {
     LobeShader(const LobeParameters& parameters, const Environment& environment, const EstimatorSettings& estimator)
         : lobe(parameters), settings(estimator), light(environment) {
+        if (settings.kind == EstimatorKind::fitted && !is_fitted())
+            settings.kind = EstimatorKind::regular, settings.samples = 0;
         settings.samples = lookup_count(settings);
-        if (settings.kind == EstimatorKind::fitted && !TapTable::covers(lobe, settings.samples)) settings = stand_in(settings);
         switch (settings.kind) {
             case EstimatorKind::reference: break;
             case EstimatorKind::fitted: prepare_fitted(); break;
@@ -26,12 +28,16 @@ struct MaterialShader::LobeShader {
         }
     }
 
-    /// What shades lobes whose anisotropy comes from a layer: fits cannot be made for every pixel.
-    static EstimatorSettings stand_in(EstimatorSettings settings) {
-        settings.kind = EstimatorKind::regular, settings.samples = 0;
-        settings.samples = lookup_count(settings);
-        return settings;
+    /// Whether `fitted` shades this lobe, not `regular`. Fits cannot be made for every pixel, as anisotropy from a layer would need;
+    /// and nineteen regular lookups follow a very long lobe with a long tail better than a few Gaussians, so those are fitted only
+    /// where a number of lookups is asked for.
+    bool is_fitted() const {
+        if (!TapTable::covers(lobe, lookup_count(settings))) return false;
+        const auto border = [&](float xi) { return visit_lobe(lobe, [&](const auto& own) { return own.border(xi); }); };
+        const bool very_long = std::max(lobe.mx / lobe.my, lobe.my / lobe.mx) > kVeryLong;
+        return settings.samples > 0 || !very_long || lobe_tail(border) == LobeTail::gaussian;
     }
+    static constexpr float kVeryLong = 6;  // mx over my, or the other way round
 
     void prepare_fitted() {
         stack = light.gaussian_stack().stack();

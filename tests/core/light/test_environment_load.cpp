@@ -287,7 +287,9 @@ TEST(Envmap, LatLongAndCubeStripBringTheLightBack) {
 TEST(Envmap, SummaryOfARealSkyNamesItsSun) {
     const auto file = data_path("public/env/rooitou_park_1k.hdr");
     if (!file) GTEST_SKIP() << "needs public/env of the test data, see BURNISH_DATA";
-    const Environment light = Environment::load(file->string(), {});
+    EnvironmentSettings whole;
+    whole.suns = Suns::keep;
+    const Environment light = Environment::load(file->string(), whole);
     const EnvironmentSummary summary = summarize(light);
     EXPECT_EQ(summary.face_size, 256);
     EXPECT_EQ(summary.suggested_face_size, 256);
