@@ -80,13 +80,11 @@ constexpr EstimatorKind fitted = EstimatorKind::fitted, regular = EstimatorKind:
 BENCHMARK(shade_1080p<ModelId::ggx, fitted>)
     ->ArgsProduct({{2, 4, 6}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
+    ->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::kurt, regular>)
     ->ArgsProduct({{4, 8, 16}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
+    ->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::beckmann, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::ggx, regular>)->Args({16, 2})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::ggx, filtered_importance>)
