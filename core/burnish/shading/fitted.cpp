@@ -15,16 +15,6 @@ constexpr int kFitEvery[] = {4, 8, 4};   // views, azimuths and widths that are 
 
 using Path = std::vector<GaussianTaps>;  // along the view axis, at one azimuth and one width
 
-GaussianTaps blend(const GaussianTaps& a, const GaussianTaps& b, float part) {
-    GaussianTaps taps = a;
-    const auto mix = [&](float& x, float y) { x += (y - x) * part; };
-    for (size_t i = 0; i < taps.size(); ++i) {
-        mix(taps[i].sx, b[i].sx), mix(taps[i].sy, b[i].sy), mix(taps[i].log_sigma, b[i].log_sigma);
-        for (int k = 0; k < 3; ++k) mix(taps[i].weight[k], b[i].weight[k]);
-    }
-    return taps;
-}
-
 /// The same taps for a lobe of other widths.
 GaussianTaps scaled(GaussianTaps taps, const LobeParameters& from, const LobeParameters& to) {
     const float x = to.mx / from.mx, y = to.my / from.my;
@@ -63,13 +53,16 @@ public:
           m_widths(table.axes()[2], kFitEvery[2]) {
         m_lobe.strength = 1, m_lobe.tint = Color3f(1), m_lobe.rotation = 0, m_lobe.per_pixel = {};
         while (in_plane() && view(m_views.stride_of(m_anchor)).z > kAnchorCosine) ++m_anchor;
+        const auto anchor = static_cast<size_t>(m_anchor);
+        if (path_count() == 1) {
+            m_paths = {fit_best_path(lobe_at(0), views_of(0), in_plane(), anchor, table.tap_count())};
+            return;
+        }
         const std::vector<GaussianTaps> anchors = fit_anchors();
         m_paths.resize(anchors.size());
         for_each_index(path_count(), [&](int path) {
-            std::vector<Vec3f> views;
-            for (int i = 0; i < m_views.count(); ++i) views.push_back(view(first_node(path) + m_views.stride_of(i)));
             const auto p = static_cast<size_t>(path);
-            m_paths[p] = fit_path(lobe_at(path), views, in_plane(), static_cast<size_t>(m_anchor), anchors[p]);
+            m_paths[p] = fit_path(lobe_at(path), views_of(path), in_plane(), anchor, anchors[p]);
         });
     }
 
@@ -113,6 +106,11 @@ private:
         return anchors;
     }
 
+    std::vector<Vec3f> views_of(int path) const {
+        std::vector<Vec3f> views;
+        for (int i = 0; i < m_views.count(); ++i) views.push_back(view(first_node(path) + m_views.stride_of(i)));
+        return views;
+    }
     LobeParameters lobe_at(int path) const {
         const ShadingPoint point = m_table.node_point(first_node(path));
         LobeParameters lobe = m_lobe;

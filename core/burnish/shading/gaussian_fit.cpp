@@ -39,6 +39,7 @@ public:
     }
 
     float run(int steps, std::vector<GaussianTap>& taps);
+    float residual(const std::vector<GaussianTap>& taps) const;
 
 private:
     struct State {
@@ -170,6 +171,14 @@ float Fit::run(int steps, std::vector<GaussianTap>& taps) {
     return state.residual.head(points()).norm() / std::sqrt(m_power);
 }
 
+float Fit::residual(const std::vector<GaussianTap>& taps) const {
+    const State state = evaluate(taps);
+    VectorXf weights(state.weights.size());
+    for (Index i = 0; i < weights.size(); ++i) weights[i] = luminance(taps[static_cast<size_t>(i)].weight);
+    const VectorXf error = state.residual + state.basis * (weights - state.weights);
+    return error.head(points()).norm() / std::sqrt(m_power);
+}
+
 }  // namespace
 
 Vec3f tap_direction(const Vec3f& wo, float sx, float sy) {
@@ -178,6 +187,10 @@ Vec3f tap_direction(const Vec3f& wo, float sx, float sy) {
 
 float fit_gaussians(const LobeQuadrature& lobe, const Vec3f& wo, bool in_plane, int steps, std::vector<GaussianTap>& taps) {
     return Fit(lobe, wo, in_plane).run(steps, taps);
+}
+
+float residual_of(const LobeQuadrature& lobe, const Vec3f& wo, const std::vector<GaussianTap>& taps) {
+    return Fit(lobe, wo, false).residual(taps);
 }
 
 }  // namespace burnish

@@ -28,4 +28,7 @@ Vec3f tap_direction(const Vec3f& wo, float sx, float sy);
 /// Returns the residual: root mean square of the luminance's error over the root mean square of the lobe, over solid angle.
 float fit_gaussians(const LobeQuadrature& lobe, const Vec3f& wo, bool in_plane, int steps, std::vector<GaussianTap>& taps);
 
+/// The same residual of taps as they are, weights too.
+float residual_of(const LobeQuadrature& lobe, const Vec3f& wo, const std::vector<GaussianTap>& taps);
+
 }  // namespace burnish

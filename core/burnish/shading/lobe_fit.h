@@ -19,4 +19,11 @@ GaussianTaps fit_view(const LobeParameters& lobe, const Vec3f& wo, bool in_plane
 std::vector<GaussianTaps> fit_path(const LobeParameters& lobe, std::span<const Vec3f> views, bool in_plane, size_t anchor,
                                    const GaussianTaps& start);
 
+GaussianTaps blend(const GaussianTaps& a, const GaussianTaps& b, float part);
+
+/// fit_path from each of the starts that fit_view knows; the one whose taps, interpolated half way between the views, are nearest
+/// to the lobe. What looks best from one view may jump at another.
+std::vector<GaussianTaps> fit_best_path(const LobeParameters& lobe, std::span<const Vec3f> views, bool in_plane, size_t anchor,
+                                        int taps);
+
 }  // namespace burnish

@@ -61,11 +61,12 @@ LobeQuadrature sharp_quadrature(const LobeParameters& parameters, const Vec3f& w
 }
 
 /// A degree, more for wide lobes and less for lobes that are not much wider themselves; and where a row of so many Gaussians as
-/// narrow as the lobe would leave gaps, as much as closes them: light that falls into gaps is worse than a wider lobe.
+/// narrow as an anisotropic lobe would leave gaps, as much as closes them: light that falls into gaps is worse than a wider
+/// lobe. (Round lobes, long at grazing angles only, lose by that: there the horizon makes a wider lobe another lobe.)
 float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
     const LobeImage image = lobe_image(wo, lobe.mx, lobe.my);
-    const float detail = 0.01f + 0.05f * image.major, gap = kGap * image.major / static_cast<float>(taps);
-    const float closing = std::sqrt(std::max(gap * gap - image.minor * image.minor, 0.0f));
+    const float detail = 0.01f + 0.035f * image.major, gap = kGap * image.major / static_cast<float>(taps);
+    const float closing = lobe.mx == lobe.my ? 0 : std::sqrt(std::max(gap * gap - image.minor * image.minor, 0.0f));
     return std::min(std::max(detail, closing), 0.35f * image.major);
 }
 
