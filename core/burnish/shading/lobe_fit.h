@@ -19,6 +19,7 @@ GaussianTaps fit_view(const LobeParameters& lobe, const Vec3f& wo, bool in_plane
 std::vector<GaussianTaps> fit_path(const LobeParameters& lobe, std::span<const Vec3f> views, bool in_plane, size_t anchor,
                                    const GaussianTaps& start);
 
+/// Tap by tap, `part` of the way from a to b.
 GaussianTaps blend(const GaussianTaps& a, const GaussianTaps& b, float part);
 
 /// fit_path from each of the starts that fit_view knows; the one whose taps, interpolated half way between the views, are nearest
