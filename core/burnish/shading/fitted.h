@@ -1,8 +1,9 @@
 // The `fitted` estimator: a lobe as a few spherical Gaussians, each one lookup in the light's Gaussian stack.
 //
 // Where `regular` spreads equal lookups over the lobe, here directions, widths and weights are whatever fits the lobe best
-// (gaussian_fit.h), for any model that can be evaluated, from each view: fitted once per node of a tap table, in tens of
-// milliseconds, and interpolated per pixel. Two such lookups do what sixteen regular ones do (docs/measured.md).
+// (gaussian_fit.h), for any model that can be evaluated, at some nodes of a tap table, in milliseconds for a round lobe; the
+// other nodes and the pixels are interpolated. Four such lookups mostly do better than sixteen regular ones
+// (docs/measured.md, which also says where not).
 #pragma once
 
 #include <burnish/light/gaussian_stack.h>

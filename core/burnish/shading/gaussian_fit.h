@@ -25,7 +25,8 @@ Vec3f tap_direction(const Vec3f& wo, float sx, float sy);
 
 /// Improves `taps` in place, from where they are, in at most `steps` steps; sets all weights.
 /// in_plane  sy stays 0: for a quadrature of half the lobe.
-/// Returns the residual: root mean square of the luminance's error over the root mean square of the lobe, over solid angle.
+/// Returns the residual: root mean square of the luminance's error over the root mean square of the lobe, over solid angle,
+/// both as blurred as the quadrature is.
 float fit_gaussians(const LobeQuadrature& lobe, const Vec3f& wo, bool in_plane, int steps, std::vector<GaussianTap>& taps);
 
 /// The same residual of taps as they are, weights too.

@@ -20,7 +20,8 @@ struct ShadedBatch {
 
 class MaterialShader {
 public:
-    /// The environment must outlive the shader.
+    /// The environment must outlive the shader. `fitted` leaves lobes whose anisotropy comes from a layer to `regular`; and lobes
+    /// longer than 1:6 with a long tail (GGX), unless settings.samples asks for a number of lookups.
     MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings);
 
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.

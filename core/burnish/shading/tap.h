@@ -24,7 +24,8 @@ struct Tap {
 };
 
 /// Share of a tap that the geometric surface leaves of what the shading surface leaves, 1 where both are one. A wide tap fades
-/// while it sets: share(x) = 1/2 + x edge / 2 in [0, 1]; one with a hard edge is there or not. above_n, above_ng: cosines of wi to both normals.
+/// while it sets: share(x) = 1/2 + x edge / 2 in [0, 1]; one with a hard edge is there or not. above_n, above_ng: cosines of
+/// wi to both normals.
 inline float visible_share(float above_n, float above_ng, float edge) {
     const auto share = [&](float x) { return std::min(std::max(0.5f + 0.5f * x * edge, 0.0f), 1.0f); };
     const float n = edge < kHardEdge / 2 ? share(above_n) : 1.0f, hidden = (n - share(above_ng)) / std::max(n, kLeastShare);
