@@ -29,27 +29,11 @@ namespace HWY_NAMESPACE {
 /// `queued_sum` over half-float texels.
 HWY_INLINE void queued_sum_half(const hwy::float16_t* rgba, const TapQueue& queue, size_t first, size_t count, float* sums) {
     const hn::FixedTag<float, 8> pair;
-    const hn::FixedTag<float, 4> single;
     const hn::FixedTag<hwy::float16_t, 8> half;
-    alignas(32) static constexpr int32_t kFine[8] = {0, 0, 0, 0, 1, 1, 1, 1}, kCoarse[8] = {2, 2, 2, 2, 3, 3, 3, 3};
-    const auto fine_columns = hn::SetTableIndices(pair, kFine), coarse_columns = hn::SetTableIndices(pair, kCoarse);
     const auto texels = [&](int32_t offset) {
         return hn::PromoteTo(pair, hn::LoadU(half, rgba + 4 * static_cast<size_t>(offset)));
     };
-    auto sum = hn::Zero(pair);
-    for (size_t i = first; i < first + count; ++i) {
-        const auto row = [&](int32_t above, int32_t below, float y) {
-            const auto top = texels(above);
-            return hn::MulAdd(hn::Sub(texels(below), top), hn::Set(pair, y), top);
-        };
-        const auto columns = hn::LoadDup128(pair, queue.columns[i]);
-        const auto fine =
-            hn::Mul(row(queue.fine[i], queue.fine_below[i], queue.fine_y[i]), hn::TableLookupLanes(columns, fine_columns));
-        const auto both = hn::MulAdd(row(queue.coarse[i], queue.coarse_below[i], queue.coarse_y[i]),
-                                     hn::TableLookupLanes(columns, coarse_columns), fine);
-        sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum);
-    }
-    hn::StoreU(hn::Add(hn::LowerHalf(single, sum), hn::UpperHalf(single, sum)), single, sums);
+    sum_of_pairs(texels, queue, first, count, sums);
 }
 #endif
 

@@ -3,6 +3,7 @@
 
 #include <burnish/input/assign.h>
 #include <burnish/input/frame.h>
+#include <burnish/material/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,14 @@
 #include <vector>
 
 namespace burnish::scenes {
+
+/// A lobe of these widths, F = 1; Kurt with alpha 0.4.
+inline LobeParameters lobe_of(ModelId model, float mx, float my) {
+    LobeParameters lobe;
+    lobe.model = model, lobe.mx = mx, lobe.my = my;
+    if (model == ModelId::kurt) lobe.extra = {0.4f};
+    return lobe;
+}
 
 /// A unit sphere at the origin seen from (0, 0, distance), y up, filling the square frame; background P = N = 0.
 inline AovFrame sphere_frame(int size, float distance = 6.0f) {

@@ -27,7 +27,7 @@ struct EnvironmentSummary {
     int suggested_face_size;  // from the picture's own resolution
 };
 
-/// Numbers of the finest level, gain not applied. Layout, convention and up axis are in Environment::notes().
+/// Numbers of the finest level, gain not applied; suns that were taken out of it do not count (Suns::keep leaves them in). Layout, convention and up axis are in Environment::notes().
 EnvironmentSummary summarize(const Environment& light);
 
 }  // namespace burnish

@@ -127,18 +127,18 @@ HWY_INLINE void queue_taps(const CubeStack::Layout& stack, float distortion, con
                           queue.columns[at]);
 }
 
-/// Adds up `count` queued lookups from `first` on: RGB and a fourth number without meaning.
-HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue, size_t first, size_t count, float* rgba) {
-    const auto texel = [&](int32_t offset) { return stack.rgba + 4 * static_cast<size_t>(offset); };
 #if HWY_MAX_BYTES >= 32
-    const hn::FixedTag<float, 8> pair;  // two texels of a row
+/// Adds up `count` queued lookups from `first` on; `texels(offset)` loads two RGBA texels of a row.
+template <class Texels>
+HWY_INLINE void sum_of_pairs(const Texels& texels, const TapQueue& queue, size_t first, size_t count, float* rgba) {
+    const hn::FixedTag<float, 8> pair;
     const hn::FixedTag<float, 4> single;
     alignas(32) static constexpr int32_t kFine[8] = {0, 0, 0, 0, 1, 1, 1, 1}, kCoarse[8] = {2, 2, 2, 2, 3, 3, 3, 3};
     const auto fine_columns = hn::SetTableIndices(pair, kFine), coarse_columns = hn::SetTableIndices(pair, kCoarse);
     auto sum = hn::Zero(pair);
     for (size_t i = first; i < first + count; ++i) {
         const auto row = [&](int32_t above, int32_t below, float y) {
-            const auto top = hn::LoadU(pair, texel(above)), bottom = hn::LoadU(pair, texel(below));
+            const auto top = texels(above), bottom = texels(below);
             return hn::MulAdd(hn::Sub(bottom, top), hn::Set(pair, y), top);
         };
         const auto columns = hn::LoadDup128(pair, queue.columns[i]);
@@ -149,6 +149,15 @@ HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue
         sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum);
     }
     hn::StoreU(hn::Add(hn::LowerHalf(single, sum), hn::UpperHalf(single, sum)), single, rgba);
+}
+#endif
+
+/// Adds up `count` queued lookups from `first` on: RGB and a fourth number without meaning.
+HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue, size_t first, size_t count, float* rgba) {
+    const auto texel = [&](int32_t offset) { return stack.rgba + 4 * static_cast<size_t>(offset); };
+#if HWY_MAX_BYTES >= 32
+    const hn::FixedTag<float, 8> pair;
+    sum_of_pairs([&](int32_t offset) { return hn::LoadU(pair, texel(offset)); }, queue, first, count, rgba);
 #else
     std::fill_n(rgba, 4, 0.0f);
     for (size_t i = first; i < first + count; ++i) {

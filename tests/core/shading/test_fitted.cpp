@@ -9,15 +9,9 @@
 #include <gtest/gtest.h>
 
 using namespace burnish;
+using scenes::lobe_of;
 
 namespace {
-
-LobeParameters lobe_of(ModelId model, float mx, float my) {
-    LobeParameters lobe;
-    lobe.model = model, lobe.mx = mx, lobe.my = my;
-    if (model == ModelId::kurt) lobe.extra = {0.4f};
-    return lobe;
-}
 
 EstimatorSettings estimator(EstimatorKind kind, int samples = 0) {
     EstimatorSettings settings;

@@ -1,19 +1,15 @@
 // The fit of a lobe by spherical Gaussians, against sums over the whole sphere that share nothing with the fit's own quadrature.
+#include "core/scenes.h"
+
 #include <burnish/material/lobe.h>
 #include <burnish/shading/lobe_fit.h>
 
 #include <gtest/gtest.h>
 
 using namespace burnish;
+using scenes::lobe_of;
 
 namespace {
-
-LobeParameters lobe_of(ModelId model, float mx, float my) {
-    LobeParameters lobe;
-    lobe.model = model, lobe.mx = mx, lobe.my = my;
-    if (model == ModelId::kurt) lobe.extra = {0.4f};
-    return lobe;
-}
 
 Vec3f view(float theta_deg, float phi_deg = 0) {
     const float theta = theta_deg * kPi / 180, phi = phi_deg * kPi / 180;

@@ -32,12 +32,7 @@ private:
     Assignment m_assignment;
 };
 
-LobeParameters round_lobe(ModelId model, float m) {
-    LobeParameters lobe;
-    lobe.model = model, lobe.mx = lobe.my = m;
-    if (model == ModelId::kurt) lobe.extra = {0.4f};
-    return lobe;
-}
+LobeParameters round_lobe(ModelId model, float m) { return scenes::lobe_of(model, m, m); }
 
 struct KeptAndTaken {
     Comparison kept, taken;
