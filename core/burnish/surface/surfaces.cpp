@@ -188,6 +188,10 @@ void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch) const {
             if (m_validity[pixel] == Validity::valid && m_assignment.rule[pixel] == rule)
                 batch.pixel.push_back(static_cast<uint32_t>(pixel));
     }
+    fill(batch);
+}
+
+void Surfaces::fill(SurfaceBatch& batch) const {
     fill_geometry(batch);
     fill_parameters(batch);
 }

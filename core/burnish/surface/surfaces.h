@@ -38,6 +38,8 @@ public:
     TangentSource tangent_source() const { return m_settings.tangent; }
     /// Collects the valid pixels of `tile` assigned to `rule` into `batch` (cleared first).
     void gather(const Window& tile, int rule, SurfaceBatch& batch) const;
+    /// Fills a batch that names valid pixels and holds nothing else yet.
+    void fill(SurfaceBatch& batch) const;
 
 private:
     using Counts = std::array<size_t, kValidityCount>;
