@@ -91,6 +91,8 @@ void classify(benchmark::State& state) {
     });
 }
 
+/// With tangents, or as isotropic lobes need them.
+template <bool with_tangents>
 void gather(benchmark::State& state) {
     const AovFrame frame = frame_of_layers();
     const Assignment assignment = scenes::whole_frame(frame);
@@ -98,7 +100,7 @@ void gather(benchmark::State& state) {
     measure(state, [&] {
         for_each_tile(kWidth, kHeight, {}, "", [&](const Window& tile) {
             thread_local SurfaceBatch batch;
-            surfaces.gather(tile, 0, batch);
+            surfaces.gather(tile, 0, batch, {.position = false, .tangent = with_tangents});
             benchmark::DoNotOptimize(batch.pixel.data());
         });
     });
@@ -115,7 +117,7 @@ void fill_sparse(benchmark::State& state) {
             thread_local SurfaceBatch batch;
             batch.clear();
             for (uint32_t i = 0; i < kBatch; ++i) batch.pixel.push_back((index * kBatch + i) * kStep);
-            surfaces.fill(batch);
+            surfaces.fill(batch, {.position = false, .tangent = false});
             benchmark::DoNotOptimize(batch.n.x.data());
         });
     });
@@ -152,7 +154,8 @@ void around_shading(benchmark::State& state) {
 BURNISH_BENCH_PIXELS(stream_layers);
 BURNISH_BENCH_PIXELS(assign);
 BURNISH_BENCH_PIXELS(classify);
-BURNISH_BENCH_PIXELS(gather);
+BURNISH_BENCH_PIXELS(gather<false>);
+BURNISH_BENCH_PIXELS(gather<true>);
 BURNISH_BENCH_PIXELS(fill_sparse);
 BURNISH_BENCH_PIXELS(composite_add);
 BURNISH_BENCH_PIXELS(around_shading);

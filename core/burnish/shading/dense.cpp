@@ -5,23 +5,24 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace burnish {
 namespace {
 
-/// Returns the lookups of the batch.
-double scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& frame) {
-    double lookups = 0;
+void scatter(const SurfaceBatch& batch, const std::vector<float>& values, Image& image) {
+    if (image.empty() || values.empty()) return;
+    for (size_t i = 0; i < batch.size(); ++i) image.data[batch.pixel[i]] = values[i];
+}
+
+void scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& frame) {
     for (size_t i = 0; i < batch.size(); ++i) {
         float* overlay = frame.overlay.at(static_cast<size_t>(batch.pixel[i]));
         const Color3f& c = shaded.overlay[i];
         overlay[0] = c.x, overlay[1] = c.y, overlay[2] = c.z;
-        *frame.samples.at(static_cast<size_t>(batch.pixel[i])) = shaded.samples[i];
-        lookups += shaded.samples[i];
-        if (!shaded.standard_error.empty())
-            *frame.standard_error.at(static_cast<size_t>(batch.pixel[i])) = shaded.standard_error[i];
     }
-    return lookups;
+    scatter(batch, shaded.samples, frame.samples);
+    scatter(batch, shaded.standard_error, frame.standard_error);
 }
 
 /// Of one thread, kept from tile to tile: its planes grow once.
@@ -34,18 +35,21 @@ struct Scratch {
 }  // namespace
 
 ShadedFrame shade_dense(const Surfaces& surfaces, const Assignment& assignment, const std::vector<MaterialShader>& shaders,
-                        const Progress& progress) {
+                        const Progress& progress, bool with_samples) {
     const int width = assignment.width, height = assignment.height;
     const bool with_error = std::any_of(shaders.begin(), shaders.end(), [](const auto& s) { return s.estimates_error(); });
-    ShadedFrame frame{Image(width, height, 3), with_error ? Image(width, height, 1) : Image(), Image(width, height, 1), 0};
+    const auto plane = [&](bool wanted) { return wanted ? Image(width, height, 1) : Image(); };
+    ShadedFrame frame{Image(width, height, 3), plane(with_error), plane(with_samples), 0};
     tbb::enumerable_thread_specific<Scratch> scratch;
     for_each_tile(width, height, progress, "shading", [&](const Window& tile) {
         auto& [batch, shaded, lookups] = scratch.local();
         for (size_t rule = 0; rule < shaders.size(); ++rule) {
-            surfaces.gather(tile, static_cast<int>(rule), batch);
+            if (surfaces.rule_counts()[rule] == 0) continue;
+            surfaces.gather(tile, static_cast<int>(rule), batch, shaders[rule].needs());
             if (batch.size() == 0) continue;
             shaders[rule].shade(batch, shaded);
-            lookups += scatter(batch, shaded, frame);
+            lookups += std::reduce(shaded.samples.begin(), shaded.samples.end(), 0.0);
+            scatter(batch, shaded, frame);
         }
     });
     for (const Scratch& thread : scratch) frame.lookups += thread.lookups;
