@@ -25,6 +25,12 @@ void scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& 
     scatter(batch, shaded.standard_error, frame.standard_error);
 }
 
+/// Just before its pixels are shaded: the tile then is in the cache.
+void clear(const Window& tile, Image& image) {
+    for (int y = tile.y; y < tile.y + tile.height; ++y)
+        std::fill_n(image.at(tile.x, y), static_cast<size_t>(tile.width) * image.channels, 0.0f);
+}
+
 /// Of one thread, kept from tile to tile: its planes grow once.
 struct Scratch {
     SurfaceBatch batch;
@@ -39,10 +45,11 @@ ShadedFrame shade_dense(const Surfaces& surfaces, const Assignment& assignment, 
     const int width = assignment.width, height = assignment.height;
     const bool with_error = std::any_of(shaders.begin(), shaders.end(), [](const auto& s) { return s.estimates_error(); });
     const auto plane = [&](bool wanted) { return wanted ? Image(width, height, 1) : Image(); };
-    ShadedFrame frame{Image(width, height, 3), plane(with_error), plane(with_samples), 0};
+    ShadedFrame frame{Image::unset(width, height, 3), plane(with_error), plane(with_samples), 0};
     tbb::enumerable_thread_specific<Scratch> scratch;
     for_each_tile(width, height, progress, "shading", [&](const Window& tile) {
         auto& [batch, shaded, lookups] = scratch.local();
+        clear(tile, frame.overlay);
         for (size_t rule = 0; rule < shaders.size(); ++rule) {
             if (surfaces.rule_counts()[rule] == 0) continue;
             surfaces.gather(tile, static_cast<int>(rule), batch, shaders[rule].needs());

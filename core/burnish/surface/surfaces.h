@@ -54,7 +54,7 @@ private:
     SurfaceSettings m_settings;
     Vec3f m_eye;
     Layers m_layers;
-    std::vector<Validity> m_validity;
+    PixelVector<Validity> m_validity;
     PixelCounts m_counts;
 };
 
