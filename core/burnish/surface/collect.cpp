@@ -23,8 +23,9 @@ void collect_pixels(const Validity* validity, const int16_t* rules, int rule, si
         const auto code = hn::PromoteTo(d, hn::LoadU(d_validity, reinterpret_cast<const uint8_t*>(validity + at)));
         const auto worn = hn::PromoteTo(d, hn::LoadU(d_rule, rules + at));
         const auto wanted = hn::And(hn::Eq(code, hn::Zero(d)), hn::Eq(worn, hn::Set(d, rule)));
-        found += hn::CompressStore(hn::Iota(d_pixel, static_cast<uint32_t>(at)), hn::RebindMask(d_pixel, wanted), d_pixel,
-                                   pixels.data() + found);
+        const auto listed = hn::Compress(hn::Iota(d_pixel, static_cast<uint32_t>(at)), hn::RebindMask(d_pixel, wanted));
+        hn::StoreU(listed, d_pixel, pixels.data() + found);
+        found += hn::CountTrue(d, wanted);
     }
     for (; at < end; ++at)
         if (validity[at] == Validity::valid && rules[at] == rule) pixels[found++] = static_cast<uint32_t>(at);

@@ -25,12 +25,15 @@ public:
 
     /// Rows of the frame's margins count for nothing and are never valid.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
+    bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
     const ValidityCounts& counts() const { return m_counts.validity; }
     /// Valid pixels per rule.
     const std::vector<size_t>& rule_counts() const { return m_counts.rule; }
     /// Where the tangents came from in the end: never `automatic`.
     TangentSource tangent_source() const { return m_settings.tangent; }
-    /// Collects the valid pixels of `tile` assigned to `rule` into `batch` (cleared first).
+    /// Appends the valid pixels of `tile` assigned to `rule`, row by row.
+    void list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const;
+    /// Collects them into `batch` (cleared first).
     void gather(const Window& tile, int rule, SurfaceBatch& batch, const BatchNeeds& needs = {}) const;
     /// Fills a batch that names valid pixels and holds nothing else yet.
     void fill(SurfaceBatch& batch, const BatchNeeds& needs = {}) const;
