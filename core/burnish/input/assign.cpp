@@ -136,13 +136,21 @@ void assign_row(const std::vector<Selector>& selectors, size_t first, RowShares&
     std::copy(row.rule.begin(), row.rule.end(), result.rule.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-/// Adds the pixels of each rule, run by run: neighbours mostly wear the same.
+/// Whether all values of a block are the same.
+bool is_uniform(const int32_t* rules, size_t count) {
+    int32_t differences = 0;
+    for (size_t i = 0; i < count; ++i) differences |= rules[i] ^ rules[0];
+    return differences == 0;
+}
+
+/// Adds the pixels of each rule, block by block: neighbours mostly wear the same.
 void count_rules(const std::vector<int32_t>& rules, std::vector<size_t>& counts) {
-    for (auto run = rules.begin(); run != rules.end();) {
-        const int32_t rule = *run;
-        const auto end = std::find_if(run, rules.end(), [rule](int32_t other) { return other != rule; });
-        if (rule >= 0) counts[static_cast<size_t>(rule)] += static_cast<size_t>(end - run);
-        run = end;
+    constexpr size_t kBlock = 64;
+    for (size_t begin = 0; begin < rules.size(); begin += kBlock) {
+        const size_t end = std::min(begin + kBlock, rules.size()),
+                     step = is_uniform(&rules[begin], end - begin) ? end - begin : 1;
+        for (size_t i = begin; i < end; i += step)
+            if (rules[i] >= 0) counts[static_cast<size_t>(rules[i])] += step;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/job/stages.h>
+#include <burnish/shading/sparse.h>
 
 #include <algorithm>
 #include <functional>
@@ -67,6 +68,14 @@ Image validity_image(const Surfaces& surfaces, int width, int height) {
     return image;
 }
 
+/// Sparsely where there are predictors.
+ShadedFrame shade(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
+                  const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
+                  const Progress& progress, bool with_samples) {
+    if (predictors.empty()) return shade_dense(surfaces, assignment, shaders, progress, with_samples);
+    return shade_sparse(frame, surfaces, assignment, shaders, predictors, progress, with_samples);
+}
+
 void check_size(const Assignment& given, const Window& window) {
     if (given.width == window.width && given.height == window.height) return;
     throw Error(ErrorCode::size_mismatch, "assign: the masks are " + std::to_string(given.width) + "x" +
@@ -99,9 +108,11 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, c
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
     timed(seconds, "shading", [&] {
-        result.shaded = shade_dense(surfaces, assignment, look.shaders, part_of(progress, 0.0f, difference ? 0.5f : 1.0f),
-                                    job.output.diagnostics);
-        if (difference) old = shade_dense(surfaces, assignment, look.old_shaders, part_of(progress, 0.5f, 1.0f));
+        result.shaded = shade(frame, surfaces, assignment, look.shaders, look.predictors,
+                              part_of(progress, 0.0f, difference ? 0.5f : 1.0f), job.output.diagnostics);
+        if (difference)
+            old =
+                shade(frame, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f), false);
     });
     result.composite = timed(seconds, "composite", [&] {
         if (job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);

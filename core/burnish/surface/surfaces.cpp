@@ -152,9 +152,7 @@ void Surfaces::fill_parameters(SurfaceBatch& batch) const {
 
 void Surfaces::list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const {
     if (m_counts.rule[static_cast<size_t>(rule)] == 0) return;
-    for (int y = tile.y; y < tile.y + tile.height; ++y)
-        collect(m_validity.data(), m_assignment.rule.data(), rule, static_cast<size_t>(y) * m_assignment.width + tile.x,
-                static_cast<size_t>(tile.width), pixels);
+    collect({m_validity.data(), m_assignment.rule.data(), static_cast<size_t>(m_assignment.width)}, tile, rule, pixels);
 }
 
 void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch, const BatchNeeds& needs) const {
