@@ -41,7 +41,7 @@ Image modulated_sum(const Image* direct, const Image* indirect, const Image* fac
 }
 
 /// The diffuse part: the renderer's passes, or kd/pi * E * albedo from an irradiance layer.
-Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const std::vector<Color3f>& kd) {
+Image diffuse_part(const AovFrame& frame, const Image& kd) {
     const Image *direct = frame.find(Role::diffuse_direct), *indirect = frame.find(Role::diffuse_indirect);
     const Image* albedo = frame.find(Role::diffuse_albedo);
     if (direct || indirect) return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
@@ -52,17 +52,14 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
                         ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
                         "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
     Image diffuse = modulated_sum(irradiance, nullptr, albedo);
-    for_each_pixel(diffuse, [&](size_t i) {
-        const int rule = assignment.rule[i];
-        store(diffuse, i, rule < 0 ? Color3f(0, 0, 0) : color(diffuse, i) * kd[rule] / kPi);
-    });
+    for_each_pixel(diffuse, [&](size_t i) { store(diffuse, i, color(diffuse, i) * color(kd, i) / kPi); });
     return diffuse;
 }
 
-/// What one pixel's overlay is multiplied with: coverage keeps edges premultiplied, the mask is the user's.
-float pixel_weight(const Image* layer, const Assignment& assignment, size_t pixel) {
-    const float mask = layer ? *layer->at(pixel) : 1.0f;
-    return std::isfinite(mask) ? assignment.coverage[pixel] * mask : 0.0f;
+/// Where the user lets the overlay show.
+float shown(const Image* mask, size_t pixel) {
+    const float value = mask ? *mask->at(pixel) : 1.0f;
+    return std::isfinite(value) ? value : 0.0f;
 }
 
 }  // namespace
@@ -83,23 +80,28 @@ Image rendered_specular(const AovFrame& frame) {
     return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
 }
 
-Composite composite(const AovFrame& frame, const Assignment& assignment, Image overlay, const Image* old_overlay,
-                    const std::vector<Color3f>& kd, const CompositeSettings& settings) {
+bool needs_kd(const AovFrame& frame) {
+    return !frame.has(Role::beauty) && !frame.has(Role::diffuse_direct) && !frame.has(Role::diffuse_indirect);
+}
+
+Composite composite(const AovFrame& frame, const Cover& cover, Image overlay, const Image* old_overlay,
+                    const CompositeSettings& settings) {
     const Image *beauty = frame.find(Role::beauty), *alpha = frame.find(Role::alpha), *mask = frame.find(Role::mask);
     if (settings.mode != CompositeMode::add) frame.layer(Role::beauty);
     Composite out;
-    if (!beauty) out.diffuse = diffuse_part(frame, assignment, kd);
+    if (!beauty) out.diffuse = diffuse_part(frame, cover.kd);
     const Image& base = beauty ? *beauty : out.diffuse;
+    const std::vector<float>& replaced = cover.specular.empty() ? cover.overlay : cover.specular;
     const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
     out.beauty = Image(overlay.width, overlay.height, 4);
     out.overlay = std::move(overlay);
     for_each_pixel(out.overlay, [&](size_t i) {
-        const float weight = pixel_weight(mask, assignment, i);
+        const float visible = shown(mask, i);
         Color3f added = color(out.overlay, i);
         if (settings.mode == CompositeMode::difference) added -= color(*old_overlay, i);
-        added *= settings.tint * (settings.gain * weight);
+        added *= settings.tint * (settings.gain * (cover.overlay[i] * visible));
         Color3f sum = color(base, i) + added;
-        if (settings.mode == CompositeMode::replace) sum -= color(removed, i) * weight;
+        if (settings.mode == CompositeMode::replace) sum -= color(removed, i) * (replaced[i] * visible);
         store(out.overlay, i, added);
         store(out.beauty, i, sum);
         out.beauty.at(i)[3] = alpha ? *alpha->at(i) : 1.0f;

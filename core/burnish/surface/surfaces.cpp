@@ -99,15 +99,16 @@ void Surfaces::classify_rows() {
     const int width = m_layers.position->width, height = m_layers.position->height;
     m_validity.resize(m_layers.position->pixel_count(), Validity::unassigned);
     std::vector<Counts> counts(static_cast<size_t>(height));
-    for_each_index(height - m_frame.margin_above - m_frame.margin_below, [&](int index) {
-        const int y = index + m_frame.margin_above;
+    const int top = m_frame.margin_above - m_frame.shaded_above, bottom = m_frame.margin_below - m_frame.shaded_below;
+    for_each_index(height - top - bottom, [&](int index) {
+        const int y = index + top;
         const size_t row = static_cast<size_t>(y) * width;
         Counts& count = counts[static_cast<size_t>(y)];
         for (size_t pixel = row; pixel < row + width; ++pixel)
             ++count[static_cast<size_t>(m_validity[pixel] = classify(pixel))];
     });
-    for (const Counts& row : counts)
-        for (size_t i = 0; i < row.size(); ++i) m_counts[i] += row[i];
+    for (int y = m_frame.margin_above; y < height - m_frame.margin_below; ++y)
+        for (size_t i = 0; i < m_counts.size(); ++i) m_counts[i] += counts[static_cast<size_t>(y)][i];
 }
 
 Validity Surfaces::classify(size_t pixel) const {
