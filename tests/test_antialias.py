@@ -136,7 +136,7 @@ def test_what_does_not_fit_is_said(shot, cli):
     assert name == "E_SIZE_MISMATCH" and "odd.exr is 49x36, beauty.0001.exr is 48x36" in message and "96x72" in message
     scenes.write_frame(shot / "flat.exr", {"position": surfaces(2)["position"]})
     name, message = run_with(shot, cli, "flat.exr").error
-    assert name == "E_MISSING_AOV" and "flat.exr" in message and "normal" in message
+    assert name == "E_MISSING_CHANNEL" and "flat.exr" in message and "normal" in message
     assert run_with(shot, cli, "absent.exr").error[0] == "E_READ_FAILED"
     assert not (shot / "out.exr").exists()
 
