@@ -11,7 +11,7 @@ namespace burnish {
 
 struct FrameTask {
     std::optional<int> frame;  // nothing for a job without a frame pattern
-    std::string aovs, camera, output, preview;
+    std::string aovs, fine_aovs, camera, output, preview;
 };
 
 /// Throws Error(bad_argument) when the job lacks an input or output, or names one file for several frames, and
