@@ -5,19 +5,19 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/frame_cover.h>
 #include <burnish/job/stages.h>
+#include <burnish/shading/sparse.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace burnish {
 namespace {
 
-bool is_anisotropic(const LobeParameters& lobe) { return lobe.mx != lobe.my || lobe.per_pixel.anisotropy; }
-
 /// Which axis brushing runs around, when an anisotropic material meets a frame without tangents.
 void warn_of_tangents(const Look& look, const Vec3f& a, FrameReport& report) {
     for (const Material& material : look.wardrobe.materials) {
-        if (std::none_of(material.lobes.begin(), material.lobes.end(), is_anisotropic)) continue;
+        if (std::none_of(material.lobes.begin(), material.lobes.end(), std::mem_fn(&LobeParameters::is_anisotropic))) continue;
         char axis[96];
         std::snprintf(axis, sizeof axis, "%g,%g,%g", a.x, a.y, a.z);
         report.warnings.push_back("no tangent layer: anisotropic lobes of '" + material.name + "' run around the axis " + axis +
@@ -57,34 +57,19 @@ void add(const std::vector<size_t>& counts, std::vector<size_t>& sums) {
     for (size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
 }
 
-bool is_own_row(const AovFrame& frame, int y) {
-    return y >= frame.margin_above && y < frame.data_window.height - frame.margin_below;
-}
-
 /// Lookups of the frame's own rows: those of its margins are another band's.
 double own_lookups(const AovFrame& frame, const ShadedFrame& shaded) {
-    if (frame.shaded_above + frame.shaded_below == 0) return shaded.lookups;
+    if (!frame.has_shaded_margins()) return shaded.lookups;
     double lookups = 0;
     for (int y = frame.margin_above; y < shaded.samples.height - frame.margin_below; ++y)
         lookups = std::accumulate(shaded.samples.at(0, y), shaded.samples.at(0, y) + shaded.samples.width, lookups);
     return lookups;
 }
 
-Tally tally_of(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment, size_t rules) {
+Tally tally_of(const Surfaces& surfaces, const Assignment& assignment) {
     Tally tally;
-    tally.pixels = surfaces.counts();
-    tally.selected = assignment.counts;
+    tally.pixels = surfaces.counts(), tally.shaded = surfaces.rule_counts(), tally.selected = assignment.counts;
     tally.lacks_tangents = surfaces.tangent_source() == TangentSource::axis;
-    std::vector<std::vector<size_t>> rows(static_cast<size_t>(assignment.height), std::vector<size_t>(rules));
-    for_each_index(assignment.height, [&](int y) {
-        if (!is_own_row(frame, y)) return;
-        const size_t begin = static_cast<size_t>(y) * assignment.width;
-        for (size_t i = begin; i < begin + assignment.width; ++i)
-            if (surfaces.validity(i) == Validity::valid)
-                ++rows[static_cast<size_t>(y)][static_cast<size_t>(assignment.rule[i])];
-    });
-    tally.shaded.resize(rules);
-    for (const std::vector<size_t>& row : rows) add(row, tally.shaded);
     return tally;
 }
 
@@ -95,6 +80,14 @@ Image validity_image(const Surfaces& surfaces, int width, int height) {
         for (size_t i = begin; i < begin + width; ++i) image.data[i] = static_cast<float>(surfaces.validity(i));
     });
     return image;
+}
+
+/// Sparsely where there are predictors.
+ShadedFrame shade(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
+                  const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
+                  const Progress& progress, bool with_samples) {
+    if (predictors.empty()) return shade_dense(surfaces, assignment, shaders, progress, with_samples);
+    return shade_sparse(frame, surfaces, assignment, shaders, predictors, progress, with_samples);
 }
 
 void check_size(const Assignment& given, const Window& window) {
@@ -126,16 +119,20 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
         assignment = given ? *given : assign_rules(shown, look.wardrobe.rules);
         return Surfaces(shown, assignment, job.surface);
     });
-    result.tally = tally_of(shown, surfaces, assignment, look.wardrobe.rules.size());
-    result.validity = validity_image(surfaces, assignment.width, assignment.height);
+    result.tally = tally_of(surfaces, assignment);
+    if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
     timed(seconds, "shading", [&] {
-        result.shaded = shade_dense(surfaces, assignment, look.shaders, part_of(progress, 0.0f, difference ? 0.5f : 1.0f));
-        if (difference) old = shade_dense(surfaces, assignment, look.old_shaders, part_of(progress, 0.5f, 1.0f));
+        const bool with_samples = job.output.diagnostics || shown.has_shaded_margins();
+        result.shaded = shade(shown, surfaces, assignment, look.shaders, look.predictors,
+                              part_of(progress, 0.0f, difference ? 0.5f : 1.0f), with_samples);
+        if (difference)
+            old = shade(shown, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f),
+                        shown.has_shaded_margins());
     });
     result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
     const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {
-        cover_shaded(surfaces, assignment);
+        if (fine || job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
         if (!fine) return pixel_cover(frame, assignment, look.wardrobe.kd);
         return resolve_samples(job.antialias, frame, *fine, surfaces, assignment, look.wardrobe.kd, result, old);
     });
