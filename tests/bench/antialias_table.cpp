@@ -18,8 +18,8 @@ using namespace burnish;
 namespace {
 
 struct Table {
-    int height = 540, repeats = 5, threads = 1;
-    std::vector<int> radii{200, 60}, factors{1, 2, 4};
+    int height = 270, repeats = 7, threads = 1;
+    std::vector<int> radii{100, 30}, factors{1, 2, 4};
     std::vector<float> widths{0.01f, 0.1f, 0.3f};
     std::vector<std::string> lights;
     PixelFilter filter{FilterKind::blackman_harris, 1.5f};

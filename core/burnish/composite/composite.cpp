@@ -2,8 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
-
-#include <cmath>
+#include <burnish/composite/add_overlay.h>
 
 namespace burnish {
 namespace {
@@ -30,7 +29,7 @@ void for_each_pixel(const Image& image, const Work& work) {
 /// factor * (direct + indirect), absent layers counting as 0 and an absent factor as 1.
 Image modulated_sum(const Image* direct, const Image* indirect, const Image* factor) {
     const Image& first = direct ? *direct : *indirect;
-    Image sum(first.width, first.height, 3);
+    Image sum = Image::unset(first.width, first.height, 3);
     for_each_pixel(sum, [&](size_t i) {
         Color3f c(0, 0, 0);
         if (direct) c += color(*direct, i);
@@ -56,11 +55,7 @@ Image diffuse_part(const AovFrame& frame, const Image& kd) {
     return diffuse;
 }
 
-/// Where the user lets the overlay show.
-float shown(const Image* mask, size_t pixel) {
-    const float value = mask ? *mask->at(pixel) : 1.0f;
-    return std::isfinite(value) ? value : 0.0f;
-}
+const float* row_of(const Image* image, int y) { return image ? image->at(0, y) : nullptr; }
 
 }  // namespace
 
@@ -91,20 +86,22 @@ Composite composite(const AovFrame& frame, const Cover& cover, Image overlay, co
     Composite out;
     if (!beauty) out.diffuse = diffuse_part(frame, cover.kd);
     const Image& base = beauty ? *beauty : out.diffuse;
-    const std::vector<float>& replaced = cover.specular.empty() ? cover.overlay : cover.specular;
+    const PixelVector<float>& replaced = cover.specular.empty() ? cover.overlay : cover.specular;
     const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
-    out.beauty = Image(overlay.width, overlay.height, 4);
+    out.beauty = Image::unset(overlay.width, overlay.height, 4);
     out.overlay = std::move(overlay);
-    for_each_pixel(out.overlay, [&](size_t i) {
-        const float visible = shown(mask, i);
-        Color3f added = color(out.overlay, i);
-        if (settings.mode == CompositeMode::difference) added -= color(*old_overlay, i);
-        added *= settings.tint * (settings.gain * (cover.overlay[i] * visible));
-        Color3f sum = color(base, i) + added;
-        if (settings.mode == CompositeMode::replace) sum -= color(removed, i) * (replaced[i] * visible);
-        store(out.overlay, i, added);
-        store(out.beauty, i, sum);
-        out.beauty.at(i)[3] = alpha ? *alpha->at(i) : 1.0f;
+    for_each_index(out.overlay.height, [&](int y) {
+        const size_t first = static_cast<size_t>(y) * out.overlay.width;
+        const OverlayRow row{.overlay = out.overlay.at(first),
+                             .old_overlay = settings.mode == CompositeMode::difference ? row_of(old_overlay, y) : nullptr,
+                             .base = base.at(first),
+                             .removed = removed.empty() ? nullptr : removed.at(first),
+                             .coverage = &cover.overlay[first],
+                             .replaced = &replaced[first],
+                             .mask = row_of(mask, y),
+                             .alpha = row_of(alpha, y),
+                             .beauty = out.beauty.at(first)};
+        add_overlay(row, settings.tint, settings.gain, static_cast<size_t>(out.overlay.width));
     });
     return out;
 }

@@ -5,8 +5,6 @@
 #include <burnish/base/types.h>
 #include <burnish/input/frame.h>
 
-#include <vector>
-
 namespace burnish {
 
 /// `add`: over the beauty, or over the diffuse part where there is no beauty. `replace`: the rendered specular is taken
@@ -21,8 +19,8 @@ struct CompositeSettings {
 
 /// How much of each pixel counts, row by row, in [0, 1]; 0 where nothing was shaded.
 struct Cover {
-    std::vector<float> overlay;   // share of the pixel that the overlay lies over: keeps edges premultiplied
-    std::vector<float> specular;  // share of the rendered specular that `replace` takes out; empty: as `overlay`
+    PixelVector<float> overlay;   // share of the pixel that the overlay lies over: keeps edges premultiplied
+    PixelVector<float> specular;  // share of the rendered specular that `replace` takes out; empty: as `overlay`
     Image kd;                     // RGB, diffuse reflectance; may be empty unless needs_kd
 };
 

@@ -10,8 +10,6 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/surface/surfaces.h>
 
-#include <vector>
-
 namespace burnish {
 
 class Resolver {
@@ -20,20 +18,20 @@ public:
     Resolver(const SampleGrid& grid, const PixelFilter& filter, const Window& samples, const Window& pixels);
 
     /// Mean of an image of samples, 1 or 3 channels, over what `coverage` gives of each; 0 where that is nothing.
-    Image mean(const Image& samples, const std::vector<float>& coverage) const;
+    Image mean(const Image& samples, const PixelVector<float>& coverage) const;
     /// The shares of pixels that are shaded, which is `coverage`, and of what the pixel shows of surfaces at all, the part that
     /// is shaded: as large a part of the rendered specular is theirs.
-    Cover cover(const Surfaces& surfaces, const std::vector<float>& coverage) const;
+    Cover cover(const Surfaces& surfaces, const PixelVector<float>& coverage) const;
     /// Sum of a number, 1 channel, over the samples that are a pixel's own.
     Image sum(const Image& samples) const;
     /// The same for the least of them; `none` where there are none.
     Image least(const Image& samples, float none) const;
 
 private:
-    template <int kChannels, class Sample>
-    Image filtered(const Sample& sample) const;
+    template <int kChannels, class IsEmpty, class Sample>
+    Image filtered(const IsEmpty& is_empty, const Sample& sample) const;
     template <int kChannels>
-    Image mean_of(const Image& samples, const std::vector<float>& coverage) const;
+    Image mean_of(const Image& samples, const PixelVector<float>& coverage) const;
     template <class Fold>
     Image folded(const Image& samples, float first, const Fold& fold) const;
 

@@ -18,8 +18,8 @@ Image kd_image(const Assignment& assignment, const std::vector<Color3f>& kd) {
 }
 
 /// 1 where there is a surface, shaded or not.
-std::vector<float> surface_cover(const Surfaces& surfaces, size_t samples) {
-    std::vector<float> cover(samples);
+PixelVector<float> surface_cover(const Surfaces& surfaces, size_t samples) {
+    PixelVector<float> cover(samples);
     for (size_t i = 0; i < samples; ++i) cover[i] = surfaces.validity(i) == Validity::background ? 0.0f : 1.0f;
     return cover;
 }
@@ -31,7 +31,7 @@ void take_alpha(const AovFrame& frame, Cover& cover) {
         cover.overlay[i] = std::clamp(*alpha.at(i), 0.0f, 1.0f) * cover.specular[i];
 }
 
-void resolve(const Resolver& resolver, const std::vector<float>& coverage, ShadedFrame& shaded) {
+void resolve(const Resolver& resolver, const PixelVector<float>& coverage, ShadedFrame& shaded) {
     if (shaded.overlay.empty()) return;
     shaded.overlay = resolver.mean(shaded.overlay, coverage);
     if (!shaded.samples.empty()) shaded.samples = resolver.sum(shaded.samples);

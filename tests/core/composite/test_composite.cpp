@@ -14,7 +14,7 @@ constexpr int kSize = 4;
 
 Image filled(int channels, float value) { return Image(kSize, kSize, channels, value); }
 
-Cover covered(float share) { return {std::vector<float>(kSize * kSize, share), {}, {}}; }
+Cover covered(float share) { return {PixelVector<float>(kSize * kSize, share), {}, {}}; }
 
 AovFrame beauty_frame() {
     AovFrame frame;

@@ -18,7 +18,7 @@ constexpr PixelFilter kBox{FilterKind::box, 1}, kWide{FilterKind::blackman_harri
 
 struct RandomSamples {
     Image overlay = Image(kSamples, kSamples, 3);
-    std::vector<float> coverage;
+    PixelVector<float> coverage;
 
     RandomSamples() {
         std::mt19937 random(5);
@@ -108,7 +108,7 @@ TEST(Resolve, PartsOfTheFrameAreThePixelsOfTheWhole) {
     Image overlay(part.width, part.height, 3);
     std::copy_n(samples.overlay.at(0, part.y), overlay.data.size(), overlay.data.begin());
     const auto first = samples.coverage.begin() + part.y * kSamples;
-    const std::vector<float> coverage(first, first + part.height * kSamples);
+    const PixelVector<float> coverage(first, first + part.height * kSamples);
     const Image rows = Resolver({kFactor, 0, 0}, kWide, part, {0, 4, kPixels, 3}).mean(overlay, coverage);
     EXPECT_TRUE(std::equal(rows.data.begin(), rows.data.end(), whole.at(0, 4)));
 }
