@@ -211,4 +211,4 @@ def test_edges_come_near_those_that_cycles_anti_aliased(data, rendered_aovs):
         missing[factor] = float(np.mean((overlay[edge] == 0).all(-1) & (truth[edge] > 1e-3).any(-1)))
         print(f"{factor * factor:2} samples: {psnr[factor]:.1f} dB on {edge.sum()} edge pixels, {100 * missing[factor]:.1f} % black")
     assert psnr[2] > psnr[1] + 5 and psnr[4] > psnr[2] + 4 and psnr[4] > 23
-    assert missing[1] > 0.3 and missing[2] < 0.15 and missing[4] < 0.02
+    assert missing[1] > 0.3 and missing[2] < 0.25 and missing[4] < 0.02

@@ -5,8 +5,6 @@
 #include <burnish/base/types.h>
 #include <burnish/input/frame.h>
 
-#include <vector>
-
 namespace burnish {
 
 /// `add`: over the beauty, or over the diffuse part where there is no beauty. `replace`: the rendered specular is taken

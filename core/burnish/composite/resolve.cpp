@@ -23,20 +23,26 @@ Resolver::Resolver(const SampleGrid& grid, const PixelFilter& filter, const Wind
       m_left(grid.samples_of(pixels).x - samples.x),
       m_top(grid.samples_of(pixels).y - samples.y) {}
 
-/// Filters across, each row of samples for itself, then down. `sample(index, values)` tells the channels of a sample.
-template <int kChannels, class Sample>
-Image Resolver::filtered(const Sample& sample) const {
+/// Filters across, each row of samples for itself and from its first to its last that is not empty, then down.
+/// `sample(index, values)` tells the channels of a sample, which are 0 where `is_empty(index)`.
+template <int kChannels, class IsEmpty, class Sample>
+Image Resolver::filtered(const IsEmpty& is_empty, const Sample& sample) const {
     const int taps = static_cast<int>(m_taps.weights.size()), from = m_left - m_taps.reach;
-    const int begin = std::max(from, 0), end = std::min(from + (m_pixels.width - 1) * m_factor + taps, m_samples.width);
     Image across(m_pixels.width, m_samples.height, kChannels);
     for_each_index(m_samples.height, [&](int y) {
+        const size_t row = static_cast<size_t>(y) * m_samples.width;
+        int begin = std::max(from, 0), end = std::min(from + (m_pixels.width - 1) * m_factor + taps, m_samples.width);
+        while (begin < end && is_empty(row + begin)) ++begin;
+        while (begin < end && is_empty(row + end - 1)) --end;
+        if (begin >= end) return;
         std::vector<float> line((static_cast<size_t>(m_pixels.width - 1) * m_factor + taps) * kChannels);
-        for (int x = begin; x < end; ++x)
-            sample(static_cast<size_t>(y) * m_samples.width + x, &line[static_cast<size_t>(x - from) * kChannels]);
-        for (int x = 0; x < m_pixels.width; ++x) {
-            const float* first = &line[static_cast<size_t>(x) * m_factor * kChannels];
+        for (int x = begin; x < end; ++x) sample(row + x, &line[static_cast<size_t>(x - from) * kChannels]);
+        const int first = std::max((begin - from - taps) / m_factor, 0);
+        const int last = std::min((end - 1 - from) / m_factor, m_pixels.width - 1);
+        for (int x = first; x <= last; ++x) {
+            const float* own = &line[static_cast<size_t>(x) * m_factor * kChannels];
             std::array<float, kChannels> sum{};
-            for (int i = 0; i < taps; ++i) add_scaled(sum.data(), first + i * kChannels, kChannels, m_taps.weights[i]);
+            for (int i = 0; i < taps; ++i) add_scaled(sum.data(), own + i * kChannels, kChannels, m_taps.weights[i]);
             std::copy(sum.begin(), sum.end(), across.at(x, y));
         }
     });
@@ -53,15 +59,16 @@ Image Resolver::filtered(const Sample& sample) const {
 
 template <int kChannels>
 Image Resolver::mean_of(const Image& samples, const PixelVector<float>& coverage) const {
-    const Image sums = filtered<kChannels + 1>([&](size_t i, float* values) {
+    const auto is_empty = [&](size_t i) { return coverage[i] == 0; };
+    const Image sums = filtered<kChannels + 1>(is_empty, [&](size_t i, float* values) {
         for (int c = 0; c < kChannels; ++c) values[c] = coverage[i] * samples.at(i)[c];
         values[kChannels] = coverage[i];
     });
-    Image mean(m_pixels.width, m_pixels.height, kChannels);
+    Image mean = Image::unset(m_pixels.width, m_pixels.height, kChannels);
     for_each_index(m_pixels.height, [&](int y) {
         for (int x = 0; x < m_pixels.width; ++x) {
             const float *sum = sums.at(x, y), covered = sum[kChannels];
-            for (int c = 0; c < kChannels && covered > 0; ++c) mean.at(x, y)[c] = sum[c] / covered;
+            for (int c = 0; c < kChannels; ++c) mean.at(x, y)[c] = covered > 0 ? sum[c] / covered : 0.0f;
         }
     });
     return mean;
@@ -72,9 +79,10 @@ Image Resolver::mean(const Image& samples, const PixelVector<float>& coverage) c
 }
 
 Cover Resolver::cover(const Surfaces& surfaces, const PixelVector<float>& coverage) const {
-    const Image sums = filtered<2>([&](size_t i, float* values) {
+    const auto is_empty = [&](size_t i) { return surfaces.validity(i) == Validity::background; };
+    const Image sums = filtered<2>(is_empty, [&](size_t i, float* values) {
         values[0] = coverage[i];
-        values[1] = surfaces.validity(i) == Validity::background ? 0.0f : 1.0f;
+        values[1] = is_empty(i) ? 0.0f : 1.0f;
     });
     Cover cover;
     cover.overlay.resize(sums.pixel_count()), cover.specular.resize(sums.pixel_count());

@@ -10,8 +10,6 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/surface/surfaces.h>
 
-#include <vector>
-
 namespace burnish {
 
 class Resolver {
@@ -30,8 +28,8 @@ public:
     Image least(const Image& samples, float none) const;
 
 private:
-    template <int kChannels, class Sample>
-    Image filtered(const Sample& sample) const;
+    template <int kChannels, class IsEmpty, class Sample>
+    Image filtered(const IsEmpty& is_empty, const Sample& sample) const;
     template <int kChannels>
     Image mean_of(const Image& samples, const PixelVector<float>& coverage) const;
     template <class Fold>

@@ -87,6 +87,7 @@ void warn_of_scrubbed(const std::vector<Slot>& slots, AovFrame& frame) {
 
 FrameReader::FrameReader(const std::string& file, const ReadOptions& options, size_t band_pixels) try
     : m_file(file, options.view),
+      m_shaded_block(options.shaded_block),
       m_print(fingerprint(*m_file.metadata(0), m_file.layers())),
       m_slots(wanted_slots(m_file, options, m_print.renderer)),
       m_frame(empty_frame(m_file, m_slots, m_print)) {
@@ -177,10 +178,13 @@ AovFrame FrameReader::read_band() {
 }
 
 AovFrame FrameReader::read_rows(int begin, int end, int shaded, bool is_last) try {
-    const int height = m_frame.data_window.height, margin = shaded + (has_slot(Role::uv) ? 1 : 0);
+    const int height = m_frame.data_window.height, block = m_shaded_block;
+    int top = begin - shaded, bottom = end + shaded;
+    if (block > 1) top = (top / block - 1) * block, bottom = ((bottom - 1) / block + 2) * block + 1;
     AovFrame band = m_frame;
-    band.margin_above = std::min(margin, begin), band.margin_below = std::min(margin, height - end);
-    band.shaded_above = std::min(shaded, begin), band.shaded_below = std::min(shaded, height - end);
+    band.shaded_above = std::min(begin - top, begin), band.shaded_below = std::min(bottom - end, height - end);
+    const int more = has_slot(Role::uv) ? block : 0;
+    band.margin_above = std::min(begin - top + more, begin), band.margin_below = std::min(bottom - end + more, height - end);
     band.data_window.y += begin - band.margin_above;
     band.data_window.height = end - begin + band.margin_above + band.margin_below;
     const bool is_whole = band.data_window == m_frame.data_window;

@@ -30,8 +30,10 @@ public:
     /// The next band of rows, from the top. The last one tells all warnings. Throws Error(read_failed).
     AovFrame read_band();
     /// Rows [begin, end) of the data window, 0 its top, and as margins `shaded` rows more on either side, where there are any, to
-    /// be shaded with them. Where UVs are read there is a row more still: their differences need neighbours. `is_last`: of a
-    /// frame read from the top; it tells all warnings. Throws Error(read_failed).
+    /// be shaded with them. With ReadOptions::shaded_block the margins make whole blocks of so many rows, counted from the top of
+    /// the data window, and have one block more on either side and the row after it. Where UVs are read there is a row (block)
+    /// more still: their differences need neighbours. `is_last`: of a frame read from the top; it tells all warnings.
+    /// Throws Error(read_failed).
     AovFrame read_rows(int begin, int end, int shaded, bool is_last);
 
 private:
@@ -44,6 +46,7 @@ private:
     void read_pixels(AovFrame& band);
 
     ExrFile m_file;
+    int m_shaded_block;
     Fingerprint m_print;
     std::vector<Slot> m_slots;  // once judged: what a band is made of, each with its front candidate
     AovFrame m_frame;

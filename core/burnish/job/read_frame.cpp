@@ -7,6 +7,7 @@
 #include <burnish/input/frame_geometry.h>
 #include <burnish/input/metadata.h>
 #include <burnish/job/run_frame.h>
+#include <burnish/shading/shading_plan.h>
 
 #include <nlohmann/json.hpp>
 
@@ -80,6 +81,7 @@ ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::st
     std::erase_if(options.channels, is_elsewhere);
     options.view = job.view;
     if (part == FramePart::picture) return options;
+    if (job.density.density == ShadingDensity::sparse) options.shaded_block = ShadingPlan::kBlock;
     options.camera = camera_source(camera);
     options.cryptomattes =
         std::any_of(wardrobe.rules.begin(), wardrobe.rules.end(), [](const AssignRule& r) { return !r.cryptomatte.empty(); });

@@ -82,8 +82,8 @@ protected:
         return run(job, {}, flow);
     }
 
-    /// Bands of one row, of four and of all give the same file and the same report.
-    void expect_bands_do_not_show() {
+    /// Bands of one row, of four and of all give the same file, which is returned, and the same report.
+    std::string expect_bands_do_not_show() {
         job.output.diagnostics = true;
         const auto comparable = [](const Report& report) {
             nlohmann::json json = report_to_json(report.frames.at(0));
@@ -97,6 +97,7 @@ protected:
             EXPECT_EQ(comparable(report), whole) << rows;
             EXPECT_TRUE(bytes_of(job.output.file) == bytes_of(scratch.file("whole.exr"))) << rows;
         }
+        return bytes_of(job.output.file);
     }
 
     Scratch scratch;
@@ -109,6 +110,19 @@ TEST_F(Antialias, BandsDoNotShowUnderAWideFilter) {
     job.antialias.filter = {FilterKind::blackman_harris, 3};
     job.per_pixel.weight = true;
     expect_bands_do_not_show();
+}
+
+TEST_F(Antialias, BandsDoNotShowWhereShadingIsSparse) {
+    job.density.density = ShadingDensity::sparse;
+    LobeParameters brushed;
+    brushed.mx = 0.5f, brushed.my = 0.3f;
+    job.materials["brushed"] = {"brushed", Color3f(0, 0, 0), {brushed}};
+    job.material = "brushed";
+    job.antialias.filter = {FilterKind::gaussian, 2};
+    const std::string sparse = expect_bands_do_not_show();
+    job.density.density = ShadingDensity::dense;
+    run_to("dense.exr", {});
+    EXPECT_NE(bytes_of(job.output.file), sparse);
 }
 
 TEST_F(Antialias, BandsDoNotShowWhereTangentsNeedNeighbours) {
