@@ -3,20 +3,7 @@
 #include <burnish/job/read_frame.h>
 #include <burnish/job/stages.h>
 
-#include <filesystem>
-
 namespace burnish {
-namespace {
-
-/// Output of an earlier run that its inputs have not outdated.
-bool is_up_to_date(const FrameTask& task) {
-    std::error_code none;
-    const auto written = std::filesystem::last_write_time(task.output, none);
-    return !none && written > std::filesystem::last_write_time(task.aovs, none) && !none;
-}
-
-}  // namespace
-
 std::shared_ptr<Band> BandSource::next() {
     if (m_task >= m_tasks.size()) return nullptr;
     auto band = std::make_shared<Band>();

@@ -48,6 +48,12 @@ std::string source(const std::string& pattern, int frame) {
 
 }  // namespace
 
+bool is_up_to_date(const FrameTask& task) {
+    std::error_code none;
+    const auto written = std::filesystem::last_write_time(task.output, none);
+    return !none && written > std::filesystem::last_write_time(task.aovs, none) && !none;
+}
+
 std::vector<FrameTask> frame_tasks(const Job& job) {
     check_files(job);
     if (!has_frame_token(job.aovs)) {
