@@ -58,8 +58,8 @@ struct MaterialShader::LobeShader {
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
         if (table.tap_count() == 0) return add_tap_by_tap(batch, out);
-        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch, out.overlay,
-                          out.samples);
+        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch,
+                          {out.overlay, out.samples, {}});
     }
 
     /// Where each pixel has to make its own taps.

@@ -17,14 +17,21 @@
 
 namespace burnish {
 
+/// Of one pixel.
+struct AngularPrediction {
+    float nu_a;    // cycles per radian of the reflected direction, of a display signal that spans black to white
+    float reach;   // radian around the reflected direction within which nu_a holds
+    float length;  // radian the lobe reaches along its tangent, with which it turns; 0 for round lobes
+};
+
 class BandwidthPredictor {
 public:
     /// The environment must outlive the predictor.
     BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings);
 
-    /// nu_a of the overlay at each pixel of the batch, cycles per radian of the reflected direction, safety included.
-    /// Thread-safe; the same pixel gives the same bits in whatever batch it comes.
-    void predict(const SurfaceBatch& batch, std::span<float> nu_a) const;
+    /// Sets out[i] for pixel i of the batch, safety included. Thread-safe; the same pixel gives the same bits in whatever batch
+    /// it comes.
+    void predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const;
 
     struct Variant;  // one kind of prediction
 

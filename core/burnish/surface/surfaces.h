@@ -32,6 +32,7 @@ public:
 
     /// Rows of the frame's margins count for nothing and are never valid.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
+    bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
     /// Pixels per Validity.
     const std::array<size_t, kValidityCount>& counts() const { return m_counts; }
     /// Where the tangents came from in the end: never `automatic`.
