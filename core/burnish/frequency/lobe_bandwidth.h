@@ -1,10 +1,11 @@
 // Angular bandwidth of a reflectance lobe: which frequencies of the light it lets through, view by view.
 //
-// For a view wo the lobe f(wo, wi) cos_i is an image over the incident directions. It is analysed by wavelets in a window that
-// is laid around the lobe's own image (its centre, its axes, as wide as it needs), so that a sharp lobe is resolved as well as
-// a wide one: nu goes like 1 / m. Analytic and tabulated lobes are alike, both are functions of two directions.
+// For a view wo the lobe f(wo, wi) |cos_i| is an image over the incident directions. It is analysed by wavelets in a window that
+// is laid around the lobe's own image (lobe_window.h), so that a sharp lobe is resolved as well as a wide one: nu goes like
+// 1 / m. Analytic and tabulated lobes are alike, both are functions of two directions.
 #pragma once
 
+#include <burnish/frequency/lobe_window.h>
 #include <burnish/material/parameters.h>
 
 #include <functional>
@@ -29,29 +30,25 @@ public:
 
     /// nu_rho, cycles per radian of wi: 95 % of the lobe's spectrum seen from theta_o lies below. The largest over the azimuths.
     float nu_rho(float cos_o) const;
-    /// The same for one view; wo in the local frame, above the surface.
-    float nu_rho(const Vec3f& wo) const;
-    /// Local bandwidth of the lobe around wi, cycles per radian; beyond the lobe that of its border.
+    /// Local bandwidth of the lobe around wi, cycles per radian; beyond the window that of its border. Unit vectors.
     float at(const Vec3f& wo, const Vec3f& wi) const;
 
-    /// Where a view's lobe lies: azimuthal equidistant about `centre`, |x along + y across| radian at (x, y) in [-1, 1]^2.
-    struct Window {
-        Vec3f centre, along, across;
-    };
     struct View {
-        Window window;
+        LobeWindow window;
         float nu_rho = 0;
-        std::vector<float> nu;  // kSlice x kSlice, row by row along `across`, the largest of what each covers
+        std::vector<float> nu;  // kSlice x kSlice, row by row along `across`: the largest of what each covers
     };
     /// Row by row: all azimuths of the first theta_o, then the next.
     const std::vector<View>& views() const { return m_views; }
-    /// The direction a view is taken from.
+    /// The direction a view is taken from: the middle of its range of angles.
     Vec3f view_direction(int view) const;
 
 private:
+    int nearest_view(const Vec3f& wo) const;
+
     int m_azimuths = 0;
     std::vector<View> m_views;
-    std::vector<float> m_nu_rho;  // by view angle, the largest over the azimuths
+    std::vector<float> m_nu_rho;  // by theta_o, the largest over the azimuths
 };
 
 }  // namespace burnish
