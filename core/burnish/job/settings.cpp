@@ -100,6 +100,15 @@ void add_quality(std::vector<Setting>& table) {
                            "regular and filtered_importance: added to the pyramid level of every lookup; lower is sharper"));
     table.push_back(boolean({"albedo_correction", "quality", "albedo_correction"}, AT(estimator.albedo_correction),
                             "keeps the lobe's energy at grazing angles"));
+    table.push_back(choice<PredictionKind>(
+        {"prediction", "quality", "prediction"}, AT(density.prediction),
+        {{"curvature", PredictionKind::curvature}, {"correlated", PredictionKind::correlated}, {"source", PredictionKind::source}},
+        "how fast the overlay is taken to vary: by how the filtered light bends; by bandwidths of light and lobe; or by these as "
+        "published, which is more than it is for rough lobes"));
+    table.push_back(integer({"directions", "quality", "directions"}, AT(density.directions), {0, 64}, "",
+                            "of the light that a prediction looks into, per lobe and pixel; 0: by prediction"));
+    table.push_back(number({"safety", "quality", "safety"}, AT(density.safety), kPositive, "",
+                           "multiplies the predicted bandwidth: more for finer grids"));
     table.push_back(number({"tolerance", "quality", "tolerance"}, AT(estimator.tolerance), {1e-6, 1}, "",
                            "reference: standard error to stop at, relative to the pixel's mean"));
     table.push_back(integer({"max_samples", "quality", "max_samples"}, AT(estimator.max_samples), {1, 1 << 20}, "",

@@ -8,7 +8,6 @@
 namespace burnish {
 namespace {
 
-constexpr float kCellPeriods = 0.06f;  // of a display signal from black to white, across a cell; by calibration
 constexpr float kDiagonal = 0.7071f;   // from a cell's centre to its corner, in sides
 constexpr int kSmallestPredicted = 1;  // level of the cells of 4 pixels: predicting for 2 costs as much as shading them
 constexpr int kTile = 8 * CellTurning::kLargest;

@@ -21,6 +21,7 @@ namespace burnish {
 class ShadingPlan {
 public:
     static constexpr int kLargest = CellTurning::kLargest;
+    static constexpr float kCellPeriods = 0.06f;  // of a display signal from black to white, across a cell; by calibration
 
     /// Pixels of rule i are predicted by predictors[i].
     ShadingPlan(const CellTurning& turning, const Surfaces& surfaces, const Assignment& assignment,

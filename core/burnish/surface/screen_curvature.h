@@ -21,6 +21,7 @@ public:
 
     /// 1/unit, >= 0, finite; 0 where the pixel is not valid or stands alone. Thread-safe.
     float at(size_t pixel) const;
+    const Vec3f& eye() const { return m_camera.centre; }
     /// Radians between the rays of neighbouring pixels, across or down, whichever is more; 0 for a frame without surfaces.
     float pixel_angle() const { return m_pixel_angle; }
 

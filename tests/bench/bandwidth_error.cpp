@@ -1,0 +1,191 @@
+// Predicted against measured bandwidth: windowed Fourier transforms of dense renders of a sphere, as CSV on standard output.
+//
+// One row per (light, radius, m, prediction). Levels are those of shading_level, no coarser than 32-pixel windows tell (3):
+// `under_%` of the windows are predicted more than one level too coarse, `over_%` more than one too fine; `gap` is the mean of
+// predicted minus measured level. --pictures writes for each row of pictures the render, measured and predicted levels.
+#include "bench/window_bandwidth.h"
+#include "core/scenes.h"
+
+#include <burnish/base/parallel.h>
+#include <burnish/frequency/bandwidth_buffer.h>
+#include <burnish/job/bandwidth_layers.h>
+#include <burnish/output/level_colors.h>
+#include <burnish/output/preview.h>
+#include <burnish/shading/dense.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <numeric>
+
+using namespace burnish;
+
+namespace {
+
+struct Study {
+    std::vector<int> radii{120, 400};
+    std::vector<float> widths{0.01f, 0.03f, 0.1f, 0.3f};
+    std::vector<std::string> lights, predictions{"source", "correlated", "curvature"};
+    std::string model = "ggx", pictures;
+    DensitySettings density;
+    bool display = false;
+};
+
+const std::map<std::string, ModelId> kModels{{"kurt", ModelId::kurt}, {"beckmann", ModelId::beckmann}, {"ggx", ModelId::ggx}};
+const std::map<std::string, PredictionKind> kPredictions{
+    {"source", PredictionKind::source}, {"correlated", PredictionKind::correlated}, {"curvature", PredictionKind::curvature}};
+constexpr float kCoarsest = 3;  // level of 2 cycles per window, all that a Hann window resolves
+
+float windowed_level(float bandwidth) { return std::min(shading_level(bandwidth, 1 << 12, 1 << 12), kCoarsest); }
+
+std::vector<double> ranks(const std::vector<float>& values) {
+    std::vector<size_t> order(values.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::ranges::sort(order, {}, [&](size_t i) { return values[i]; });
+    std::vector<double> rank(values.size());
+    for (size_t i = 0; i < order.size();) {
+        size_t end = i;
+        while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+        for (size_t k = i; k < end; ++k) rank[order[k]] = 0.5 * static_cast<double>(i + end - 1);
+        i = end;
+    }
+    return rank;
+}
+
+/// Spearman's: correlation of ranks, ties sharing theirs.
+double rank_correlation(const std::vector<float>& a, const std::vector<float>& b) {
+    const std::vector<double> x = ranks(a), y = ranks(b);
+    const double mean = 0.5 * (static_cast<double>(x.size()) - 1);
+    double xy = 0, xx = 0, yy = 0;
+    for (size_t i = 0; i < x.size(); ++i)
+        xy += (x[i] - mean) * (y[i] - mean), xx += (x[i] - mean) * (x[i] - mean), yy += (y[i] - mean) * (y[i] - mean);
+    return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0.0;
+}
+
+/// Luminance, linear or scaled to a mean of 0.18 and encoded as a display would.
+Image gray(const Image& rgb, bool display) {
+    Image image(rgb.width, rgb.height, 1);
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < rgb.pixel_count(); ++i) {
+        image.data[i] = luminance({rgb.at(i)[0], rgb.at(i)[1], rgb.at(i)[2]});
+        sum += image.data[i], count += image.data[i] > 0;
+    }
+    const auto exposure = static_cast<float>(0.18 * count / sum);
+    if (display)
+        for (float& value : image.data) value = std::pow(std::min(value * exposure, 1.0f), 1 / 2.2f);
+    return image;
+}
+
+/// Levels as colours, of windows painted about their middles.
+Image measured_picture(const Image& like, const std::vector<PictureWindow>& windows, int stride) {
+    Image picture(like.width, like.height, 3);
+    for (const PictureWindow& w : windows)
+        for (int y = 0; y < stride; ++y)
+            for (int x = 0; x < stride; ++x) {
+                const int px = w.x + (PictureWindow::kSize - stride) / 2 + x,
+                          py = w.y + (PictureWindow::kSize - stride) / 2 + y;
+                std::copy_n(&level_color(windowed_level(w.bandwidth)).x, 3, picture.at(px, py));
+            }
+    return picture;
+}
+
+Image predicted_picture(const BandwidthLayers& layers) {
+    Image picture(layers.level.width, layers.level.height, 3);
+    for (size_t i = 0; i < picture.pixel_count(); ++i)
+        if (*layers.shaded.at(i) > 0) std::copy_n(&level_color(windowed_level(*layers.bandwidth.at(i))).x, 3, picture.at(i));
+    return picture;
+}
+
+Image beside(const std::vector<Image>& pictures) {
+    const Image& first = pictures.front();
+    Image all(first.width * static_cast<int>(pictures.size()), first.height, 3);
+    for (size_t k = 0; k < pictures.size(); ++k)
+        for (int y = 0; y < first.height; ++y)
+            std::copy_n(pictures[k].at(0, y), first.width * 3, all.at(static_cast<int>(k) * first.width, y));
+    return all;
+}
+
+struct Case {
+    const Study& study;
+    std::string light_name;
+    const Environment& light;
+    int radius;
+    float m;
+
+    void run() const {
+        const AovFrame frame = scenes::sphere_frame(2 * radius);
+        const Assignment assignment = scenes::whole_frame(frame);
+        const Surfaces surfaces(frame, assignment, {});
+        Wardrobe wardrobe;
+        wardrobe.materials = {{"bench", Color3f(0, 0, 0), {scenes::lobe_of(kModels.at(study.model), m, m)}}};
+        const std::vector<MaterialShader> shaders{MaterialShader(wardrobe.materials[0], light, {})};
+        const Image overlay = shade_dense(surfaces, assignment, shaders, {}).overlay, picture = gray(overlay, study.display);
+        Image mask(picture.width, picture.height, 1);
+        for (size_t i = 0; i < mask.pixel_count(); ++i) mask.data[i] = surfaces.validity(i) == Validity::valid;
+        const int stride = radius > 200 ? 16 : 8;
+        const std::vector<PictureWindow> windows = window_bandwidths(picture, mask, stride);
+        std::vector<Image> pictures;
+        if (!study.pictures.empty()) {
+            const Image encoded = gray(overlay, true);
+            Image& shown = pictures.emplace_back(picture.width, picture.height, 3);
+            for (size_t i = 0; i < shown.pixel_count(); ++i) std::fill_n(shown.at(i), 3, *encoded.at(i));
+            pictures.push_back(measured_picture(picture, windows, stride));
+        }
+        for (const std::string& prediction : study.predictions) {
+            DensitySettings settings = study.density;
+            settings.prediction = kPredictions.at(prediction);
+            const BandwidthLook look = prepare_bandwidth(wardrobe, light, settings);
+            const BandwidthLayers layers = bandwidth_layers(frame, assignment, surfaces, look, EstimatorKind::fitted, {});
+            print_row(prediction, layers, windows);
+            if (!study.pictures.empty()) pictures.push_back(predicted_picture(layers));
+        }
+        if (!study.pictures.empty()) {
+            char name[96];
+            std::snprintf(name, sizeof name, "/%s_r%d_m%g.png", light_name.c_str(), radius, m);
+            write_code_values(study.pictures + name, beside(pictures));
+        }
+    }
+
+    void print_row(const std::string& prediction, const BandwidthLayers& layers,
+                   const std::vector<PictureWindow>& windows) const {
+        std::vector<float> predicted, measured;
+        double under = 0, over = 0, gap = 0;
+        for (const PictureWindow& w : windows) {
+            predicted.push_back(window_mean(layers.bandwidth, w)), measured.push_back(w.bandwidth);
+            const float difference = windowed_level(predicted.back()) - windowed_level(measured.back());
+            under += difference > 1, over += difference < -1, gap += difference;
+        }
+        const auto count = static_cast<double>(windows.size());
+        std::printf("%s,%d,%s,%g,%s,%zu,%.3f,%.2f,%.2f,%.2f\n", light_name.c_str(), radius, study.model.c_str(), m,
+                    prediction.c_str(), windows.size(), rank_correlation(predicted, measured), 100 * under / count,
+                    100 * over / count, gap / count);
+        std::fflush(stdout);
+    }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Study study;
+    CLI::App app("Predicted against measured bandwidth");
+    app.add_option("--radii", study.radii, "of the sphere, pixels")->delimiter(',')->capture_default_str();
+    app.add_option("--m", study.widths, "slope widths")->delimiter(',')->capture_default_str();
+    app.add_option("--model", study.model, "kurt, beckmann or ggx")->capture_default_str();
+    app.add_option("--lights", study.lights, "environment maps; none: a stress light")->delimiter(',');
+    app.add_option("--predictions", study.predictions, "source, correlated, curvature")->delimiter(',')->capture_default_str();
+    app.add_option("--directions", study.density.directions, "per lobe; 0: by kind")->capture_default_str();
+    app.add_option("--safety", study.density.safety)->capture_default_str();
+    app.add_option("--pictures", study.pictures, "folder for PNGs: render, measured and predicted levels");
+    app.add_flag("--display", study.display, "measure the picture as a display shows it, not linear light");
+    CLI11_PARSE(app, argc, argv);
+    std::puts("light,radius,model,m,prediction,windows,rank_correlation,under_%,over_%,gap");
+    const auto rows = [&](const std::string& name, const Environment& light) {
+        for (const int radius : study.radii)
+            for (const float m : study.widths) Case{study, name, light, radius, m}.run();
+    };
+    for (const std::string& file : study.lights) rows(std::filesystem::path(file).stem().string(), Environment::load(file, {}));
+    if (study.lights.empty()) rows("stress", Environment::from_image(scenes::stress_light(1), {}, "stress"));
+    return 0;
+}
