@@ -14,7 +14,8 @@ namespace {
 
 /// A prediction says what share of a period one cell may span; two cells a period are Nyquist's.
 constexpr float kNyquist = 0.5f / ShadingPlan::kCellPeriods;
-constexpr int kScaleHeight = 12;  // pixels
+constexpr int kVarianceDirections = 16;  // the source's n_b
+constexpr int kScaleHeight = 12;         // pixels
 
 struct Pixels {
     const ScreenCurvature& curvature;
@@ -46,10 +47,12 @@ void scale_to_mean_one(Image& samples, size_t count) {
 
 BandwidthLook prepare_bandwidth(const Wardrobe& wardrobe, const Environment& light, const DensitySettings& settings) {
     BandwidthLook look;
+    DensitySettings of_variance = settings;
+    if (settings.directions == 0) of_variance.directions = kVarianceDirections;
     const auto nu_light = std::make_shared<const LightBandwidth>(light);
     for (const Material& material : wardrobe.materials) {
         look.predictors.emplace_back(material, light, settings);
-        look.variances.emplace_back(material, light, settings, nu_light);
+        look.variances.emplace_back(material, light, of_variance, nu_light);
     }
     return look;
 }

@@ -34,7 +34,7 @@ struct PathBandwidth {
 
 class WaveletPrediction {
 public:
-    static constexpr int kDefaultDirections = 4;  // per lobe: see docs/measured.md
+    static constexpr int kDefaultDirections = 1;  // per lobe: more make no difference (docs/measured.md)
 
     /// The environment must outlive this. `shared`: the light's bandwidth, where it is at hand already. settings.prediction
     /// `curvature` counts as `correlated`; settings.directions is met as nearly as patterns allow.
