@@ -56,6 +56,24 @@ LobeBandwidth::View analysed(const std::function<float(const Vec3f&)>& value, co
     return view;
 }
 
+/// Where to look for the lobe: the mirror direction, straight on through the surface, or the brightest of some that are spread
+/// over the sphere.
+Vec3f brightest(const std::function<float(const Vec3f&)>& value, const Vec3f& wo) {
+    constexpr int count = 512;
+    Vec3f best(-wo.x, -wo.y, wo.z);
+    float most = value(best);
+    const auto consider = [&](const Vec3f& wi) {
+        if (const float found = value(wi); found > most) best = wi, most = found;
+    };
+    consider(-wo);
+    for (int i = 0; i < count; ++i) {
+        const float z = (2.0f * static_cast<float>(i) + 1.0f) / count - 1.0f, turn = 2.399963f * static_cast<float>(i);
+        const float side = std::sqrt(1.0f - z * z);
+        consider({side * std::cos(turn), side * std::sin(turn), z});
+    }
+    return best;
+}
+
 /// Turns with the view: n along the mirror direction of wo, b level.
 Frame mirror_frame(const Vec3f& wo) {
     const float phi = std::atan2(wo.y, wo.x);
@@ -79,9 +97,9 @@ LobeBandwidth::LobeBandwidth(const LobeFunction& f, LobeSymmetry symmetry)
       m_views(static_cast<size_t>(kViews) * m_azimuths),
       m_nu_rho(kViews) {
     for_each_index(static_cast<int>(m_views.size()), [&](int view) {
-        const Vec3f wo = view_direction(view), mirror(-wo.x, -wo.y, wo.z);
+        const Vec3f wo = view_direction(view);
         const auto value = [&](const Vec3f& wi) { return f(wo, wi) * std::fabs(wi.z); };
-        m_views[view] = analysed(value, lobe_window(value, value(-wo) > value(mirror) ? -wo : mirror));
+        m_views[view] = analysed(value, lobe_window(value, brightest(value, wo)));
     });
     for (size_t view = 0; view < m_views.size(); ++view) {
         float& largest = m_nu_rho[view / m_azimuths];
