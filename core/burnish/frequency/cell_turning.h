@@ -9,6 +9,7 @@
 #include <burnish/surface/surfaces.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace burnish {
@@ -24,10 +25,18 @@ public:
     /// Cells per row and column of a level; they cover the frame.
     int columns(int level) const { return m_columns << (kLevels - 1 - level); }
     int rows(int level) const { return m_rows << (kLevels - 1 - level); }
-    /// Radian per pixel, or infinite.
+    /// Radian per pixel, or infinite; 0 in empty cells of the largest size.
     float at(int level, int column, int row) const { return cells(level, row)[column]; }
 
+    /// Whether no pixel of a largest cell, its far sides apart, is valid.
+    bool is_empty(int column, int row) const {
+        return m_valid[static_cast<size_t>(row) * static_cast<size_t>(m_columns) + static_cast<size_t>(column)] == 0;
+    }
+
 private:
+    struct Pixels;
+    void note_valid(const Surfaces& surfaces, const Assignment& assignment, int strip);
+    void fill_smallest(const Pixels& pixels, int strip, int begin, int end);
     void finish_strip(int strip);
     float* cells(int level, int row) {
         return &m_levels[static_cast<size_t>(level)][static_cast<size_t>(row) * static_cast<size_t>(columns(level))];
@@ -36,6 +45,7 @@ private:
 
     int m_columns = 0, m_rows = 0;  // of the largest cells
     std::array<std::vector<float>, kLevels> m_levels;
+    std::vector<uint8_t> m_valid;  // of the largest cells: some pixel is
 };
 
 }  // namespace burnish

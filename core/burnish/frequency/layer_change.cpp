@@ -35,12 +35,12 @@ LayerChange::LayerChange(const AovFrame& frame, const PerPixel& used, bool rough
     add(used.tint, Role::tint, color_change);
 }
 
-void LayerChange::add(int y, int dx, int dy, float* squares) const {
+void LayerChange::add(int y, int first, int count, int dx, int dy, float* squares) const {
     for (const Layer& layer : m_layers) {
         if (y + dy >= layer.image->height) return;
-        for (int x = 0; x + dx < layer.image->width; ++x) {
-            const float change = layer.change(layer.image->at(x, y), layer.image->at(x + dx, y + dy));
-            squares[x] = change * change <= squares[x] ? squares[x] : change * change;
+        for (int i = 0; i < std::min(count, layer.image->width - first - dx); ++i) {
+            const float change = layer.change(layer.image->at(first + i, y), layer.image->at(first + i + dx, y + dy));
+            squares[i] = change * change <= squares[i] ? squares[i] : change * change;
         }
     }
 }

@@ -15,8 +15,9 @@ public:
     LayerChange(const AovFrame& frame, const PerPixel& used, bool roughness_is_alpha);
 
     bool is_empty() const { return m_layers.empty(); }
-    /// squares[x] = max(squares[x], change squared) from each pixel of row y to the one (dx, dy) further, of those in the frame.
-    void add(int y, int dx, int dy, float* squares) const;
+    /// squares[i] = max(squares[i], change squared) from pixel (first + i, y), i in [0, count), to the one (dx, dy) further, of those
+    /// in the frame.
+    void add(int y, int first, int count, int dx, int dy, float* squares) const;
 
 private:
     /// Of values a and b of a layer: the turning that shows as much, infinite where one is too much to interpolate.

@@ -4,7 +4,6 @@
 #include <burnish/frequency/bandwidth_buffer.h>
 #include <burnish/frequency/operators.h>
 #include <burnish/output/level_colors.h>
-#include <burnish/shading/shading_plan.h>
 #include <burnish/surface/screen_curvature.h>
 
 #include <algorithm>
@@ -13,7 +12,7 @@ namespace burnish {
 namespace {
 
 /// A prediction says what share of a period one cell may span; two cells a period are Nyquist's.
-constexpr float kNyquist = 0.5f / ShadingPlan::kCellPeriods;
+constexpr float kNyquist = 0.5f / kCellPeriods;
 constexpr int kVarianceDirections = 16;  // the source's n_b
 constexpr int kScaleHeight = 12;         // pixels
 

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-inline constexpr float kCurvatureReach = 1.5f;  // sigmas
+inline constexpr float kCurvatureReach = 2.5f;  // sigmas
 
 /// Sets the fourth channel of a level from its other three, borders included: luminance per square radian. `sigma`: the
 /// level's width, radian.

@@ -18,7 +18,7 @@ constexpr int kViewAngles = 33;       // of the albedo's curve
 constexpr int kAlbedoSamples = 1024;  // a point of the curve
 constexpr float kMean = 0.18f;        // of a picture as a display shows it
 constexpr float kDarkest = 0.0015f;   // of which a display shows no more detail than linearly
-constexpr float kNarrow = 0.7f;       // the narrowest part of a lobe with a long tail, in widths of the whole
+constexpr float kNarrow = 1.0f;       // the narrowest part of a lobe with a long tail, in widths of the whole
 constexpr float kSteepest = 0.05f;    // cosine of the view below which a lobe's image gets no narrower
 
 /// Mean luminance of the light over all directions, its suns apart.
@@ -147,7 +147,7 @@ void CurvaturePrediction::set_reach(const LobeProbes& probes, const SurfaceBatch
                                     std::span<AngularPrediction> out) const {
     for (size_t i = 0; i < batch.size(); ++i) {
         const Vec2f widths = lobe_widths(batch, i, probes.lobe);
-        const float width = image_width(widths, batch.n[i].dot(batch.wo[i]));
+        const float width = std::sqrt(2.0f) * std::min(widths.x, widths.y);
         out[i].reach = std::min(out[i].reach, kCurvatureReach * kNarrow * width);
         if (widths.x != widths.y) out[i].length = std::max(out[i].length, std::sqrt(2.0f) * std::max(widths.x, widths.y));
     }

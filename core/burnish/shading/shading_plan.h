@@ -12,6 +12,7 @@
 #include <burnish/frequency/cell_turning.h>
 #include <burnish/shading/predictor.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,28 +21,41 @@ namespace burnish {
 
 class ShadingPlan {
 public:
-    static constexpr int kLargest = CellTurning::kLargest;
-    static constexpr float kCellPeriods = 0.06f;  // of a display signal from black to white, across a cell; by calibration
+    static constexpr int kBlock = CellTurning::kLargest;  // pixels; blocks are the largest cells
 
     /// Pixels of rule i are predicted by predictors[i].
     ShadingPlan(const CellTurning& turning, const Surfaces& surfaces, const Assignment& assignment,
                 std::span<const BandwidthPredictor> predictors);
 
-    int columns() const { return m_columns; }  // of cells of two pixels; they cover the frame
-    int rows() const { return m_rows; }
-    /// Size of the cell that holds the 2 x 2 pixels from (2 i, 2 j) on: 1, 2, 4, 8 or 16. Beyond the frame's left and top edge
-    /// the largest.
+    int block_columns() const { return m_block_columns; }
+    int block_rows() const { return m_block_rows; }
+    /// Size of the cell that holds the 2 x 2 pixels from (2 i, 2 j) on: 1, 2, 4, 8 or 16. Beyond the frame, and where no pixel of
+    /// a block is valid, the largest.
     int cell_size(int i, int j) const {
-        return i < 0 || j < 0 ? kLargest
-                              : m_sizes[static_cast<size_t>(j) * static_cast<size_t>(m_columns) + static_cast<size_t>(i)];
+        const bool inside = i >= 0 && j >= 0 && i < m_columns && j < m_block_rows * kBlock / 2;
+        return inside ? m_sizes[static_cast<size_t>(j) * static_cast<size_t>(m_columns) + static_cast<size_t>(i)] : kBlock;
     }
-    /// Whether a pixel is the corner of some cell.
-    bool is_corner(int x, int y) const;
+
+    /// Whether any pixel of a block is valid.
+    bool is_empty(int column, int row) const { return m_turning.is_empty(column, row); }
+    /// Which pixels of a block are corners of some cell, its neighbours' included: bit x of entry y. None of an empty block;
+    /// the first one only beyond the frame.
+    using Corners = std::array<uint16_t, kBlock>;
+    const Corners& corners(int column, int row) const {
+        static constexpr Corners kOutside{1};
+        const bool inside = column < m_block_columns && row < m_block_rows;
+        return inside ? m_corners[static_cast<size_t>(row) * static_cast<size_t>(m_block_columns) + static_cast<size_t>(column)]
+                      : kOutside;
+    }
 
 private:
     struct Planner;
-    int m_columns, m_rows;
+    Corners find_corners(int column, int row) const;
+
+    const CellTurning& m_turning;
+    int m_block_columns, m_block_rows, m_columns;
     std::vector<uint8_t> m_sizes;
+    std::vector<Corners> m_corners;
 };
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <span>
 
 namespace burnish {
 namespace {
@@ -24,11 +25,25 @@ double scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame
     return lookups;
 }
 
+constexpr size_t kBatch = 1024;  // pixels: what a batch holds stays in the second-level cache
+
 /// Of one thread, kept from tile to tile: its planes grow once.
 struct Scratch {
+    PixelLists pixels;
     SurfaceBatch batch;
     ShadedBatch shaded;
     double lookups = 0;  // whole numbers: their sum does not depend on its order
+
+    void shade(const Surfaces& surfaces, const MaterialShader& shader, std::span<const uint32_t> list, ShadedFrame& frame) {
+        for (; !list.empty(); list = list.subspan(std::min(list.size(), kBatch))) {
+            const auto part = list.first(std::min(list.size(), kBatch));
+            batch.clear();
+            batch.pixel.assign(part.begin(), part.end());
+            surfaces.fill(batch);
+            shader.shade(batch, shaded);
+            lookups += scatter(batch, shaded, frame);
+        }
+    }
 };
 
 }  // namespace
@@ -38,19 +53,18 @@ ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader
     return {Image(width, height, 3), with_error ? Image(width, height, 1) : Image(), Image(width, height, 1), 0};
 }
 
-void shade_tiles(const std::vector<MaterialShader>& shaders,
-                 const std::function<void(const Window& tile, int rule, SurfaceBatch& batch)>& gather, const Progress& progress,
+void shade_tiles(const Surfaces& surfaces, const std::vector<MaterialShader>& shaders, int tile_size,
+                 const std::function<void(const Window& tile, PixelLists& pixels)>& list, const Progress& progress,
                  ShadedFrame& frame) {
     tbb::enumerable_thread_specific<Scratch> scratch;
-    for_each_tile(frame.overlay.width, frame.overlay.height, progress, "shading", [&](const Window& tile) {
-        auto& [batch, shaded, lookups] = scratch.local();
-        for (size_t rule = 0; rule < shaders.size(); ++rule) {
-            gather(tile, static_cast<int>(rule), batch);
-            if (batch.size() == 0) continue;
-            shaders[rule].shade(batch, shaded);
-            lookups += scatter(batch, shaded, frame);
-        }
-    });
+    const auto work = [&](const Window& tile) {
+        Scratch& own = scratch.local();
+        own.pixels.resize(shaders.size());
+        for (std::vector<uint32_t>& pixels : own.pixels) pixels.clear();
+        list(tile, own.pixels);
+        for (size_t rule = 0; rule < shaders.size(); ++rule) own.shade(surfaces, shaders[rule], own.pixels[rule], frame);
+    };
+    for_each_tile(frame.overlay.width, frame.overlay.height, progress, "shading", work, tile_size);
     for (const Scratch& thread : scratch) frame.lookups += thread.lookups;
 }
 

@@ -9,31 +9,31 @@
 namespace burnish {
 namespace {
 
-constexpr int kBlock = ShadingPlan::kLargest;
+constexpr int kBlock = ShadingPlan::kBlock;
 
-/// What of a block of 16 x 16 pixels and its far sides is shaded, and what is to be filled; bit x of entry y.
-struct BlockMasks {
-    std::array<uint32_t, kBlock + 1> corners{}, filled{};
+/// What of a block of 16 x 16 pixels and its far sides is shaded; bit x of entry y.
+struct BlockCorners {
+    std::array<uint32_t, kBlock + 1> rows;
 
-    BlockMasks(const ShadingPlan& plan, const Image& rgb, int x0, int y0) {
-        for (int y = 0; y <= kBlock && y0 + y < rgb.height; ++y)
-            for (int x = 0; x <= kBlock && x0 + x < rgb.width; ++x)
-                corners[static_cast<size_t>(y)] |= static_cast<uint32_t>(plan.is_corner(x0 + x, y0 + y)) << x;
-        for (int y = 0; y < kBlock; ++y)
-            for (int x = 0; x < kBlock; x += 2)
-                if (plan.cell_size((x0 + x) / 2, (y0 + y) / 2) > 1) filled[static_cast<size_t>(y)] |= 3u << x;
-        for (int y = 0; y < kBlock; ++y) filled[static_cast<size_t>(y)] &= ~corners[static_cast<size_t>(y)];
+    BlockCorners(const ShadingPlan& plan, int column, int row) {
+        const ShadingPlan::Corners &own = plan.corners(column, row), &right = plan.corners(column + 1, row),
+                                   &below = plan.corners(column, row + 1), &beyond = plan.corners(column + 1, row + 1);
+        for (size_t y = 0; y < kBlock; ++y) rows[y] = own[y] | (right[y] & 1u) << kBlock;
+        rows[kBlock] = below[0] | (beyond[0] & 1u) << kBlock;
     }
 
-    bool has_corners_only() const {
+    bool is_one_cell() const {
         constexpr uint32_t ends = 1u | 1u << kBlock;
-        for (int y = 0; y <= kBlock; ++y)
-            if (corners[static_cast<size_t>(y)] != (y % kBlock == 0 ? ends : 0u)) return false;
-        return true;
+        uint32_t others = rows[0] ^ ends;
+        for (size_t y = 1; y < kBlock; ++y) others |= rows[y];
+        return (others | (rows[kBlock] & ~ends)) == 0;
     }
     bool is_shaded() const {
-        return std::all_of(filled.begin(), filled.end(), [](uint32_t row) { return row == 0; });
+        uint32_t all = kOwn;
+        for (size_t y = 0; y < kBlock; ++y) all &= rows[y];
+        return all == kOwn;
     }
+    static constexpr uint32_t kOwn = (1u << kBlock) - 1;
 };
 
 /// Bilinear between the four corners of a block, whose far ones belong to the next blocks.
@@ -57,7 +57,8 @@ void fill_block(int x0, int y0, Image& rgb) {
 /// A block's values on their way from coarse to fine.
 class BlockGrid {
 public:
-    BlockGrid(const BlockMasks& masks, const Image& rgb, int x0, int y0) : m_masks(masks), m_rgb(rgb), m_x0(x0), m_y0(y0) {}
+    BlockGrid(const BlockCorners& corners, const Image& rgb, int x0, int y0)
+        : m_corners(corners), m_rgb(rgb), m_x0(x0), m_y0(y0) {}
 
     void refine() {
         take_corners(kBlock, kBlock + 1);
@@ -74,7 +75,7 @@ public:
 
     void store(Image& rgb) const {
         for (int y = 0; y < kBlock; ++y)
-            for (uint32_t bits = m_masks.filled[static_cast<size_t>(y)]; bits != 0; bits &= bits - 1) {
+            for (uint32_t bits = BlockCorners::kOwn & ~m_corners.rows[static_cast<size_t>(y)]; bits != 0; bits &= bits - 1) {
                 const int x = std::countr_zero(bits);
                 std::copy_n(m_value[y][x], 3, rgb.at(m_x0 + x, m_y0 + y));
             }
@@ -91,13 +92,13 @@ private:
         uint32_t columns = 0;
         for (int x = 0; x <= kBlock; x += every) columns |= 1u << x;
         for (int y = 0; y <= kBlock; y += rows > kBlock ? every : rows)
-            for (uint32_t bits = m_masks.corners[static_cast<size_t>(y)] & columns; bits != 0; bits &= bits - 1) {
+            for (uint32_t bits = m_corners.rows[static_cast<size_t>(y)] & columns; bits != 0; bits &= bits - 1) {
                 const int x = std::countr_zero(bits);
                 std::copy_n(m_rgb.at(m_x0 + x, m_y0 + y), 3, m_value[y][x]);
             }
     }
 
-    const BlockMasks& m_masks;
+    const BlockCorners& m_corners;
     const Image& m_rgb;
     int m_x0, m_y0;
     float m_value[kBlock + 1][kBlock + 1][4] = {};
@@ -106,17 +107,16 @@ private:
 }  // namespace
 
 void upsample(const ShadingPlan& plan, Image& rgb) {
-    const int across = plan.columns() * 2 / kBlock;
-    for_each_index(plan.rows() * 2 / kBlock, [&](int row) {
-        for (int column = 0; column < across; ++column) {
+    for_each_index(plan.block_rows(), [&](int row) {
+        for (int column = 0; column < plan.block_columns(); ++column) {
+            const BlockCorners corners(plan, column, row);
+            if (plan.is_empty(column, row) || corners.is_shaded()) continue;
             const int x0 = column * kBlock, y0 = row * kBlock;
-            const BlockMasks masks(plan, rgb, x0, y0);
-            if (masks.is_shaded()) continue;
-            if (masks.has_corners_only()) {
+            if (corners.is_one_cell()) {
                 fill_block(x0, y0, rgb);
                 continue;
             }
-            BlockGrid grid(masks, rgb, x0, y0);
+            BlockGrid grid(corners, rgb, x0, y0);
             grid.refine();
             grid.store(rgb);
         }
