@@ -2,7 +2,7 @@
 //
 // One row per (light, radius, m, prediction). Levels are those of shading_level, no coarser than 32-pixel windows tell (3):
 // `under_%` of the windows are predicted more than one level too coarse, `over_%` more than one too fine; `gap` is the mean of
-// predicted minus measured level. --pictures writes for each row of pictures the render, measured and predicted levels.
+// predicted minus measured level. Times are of all valid pixels in one batch, one thread, the least of three. --pictures writes for each row of pictures the render, measured and predicted levels.
 #include "bench/window_bandwidth.h"
 #include "core/scenes.h"
 
@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -107,6 +108,18 @@ Image beside(const std::vector<Image>& pictures) {
     return all;
 }
 
+/// The least wall time of three runs, nanoseconds a pixel.
+template <class Work>
+double nanoseconds(const SurfaceBatch& batch, const Work& work) {
+    double least = 1e30;
+    for (int i = 0; i < 3; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        work();
+        least = std::min(least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
+    }
+    return least / static_cast<double>(batch.size());
+}
+
 struct Case {
     const Study& study;
     std::string light_name;
@@ -124,6 +137,10 @@ struct Case {
         const Image overlay = shade_dense(surfaces, assignment, shaders, {}).overlay, picture = gray(overlay, study.display);
         Image mask(picture.width, picture.height, 1);
         for (size_t i = 0; i < mask.pixel_count(); ++i) mask.data[i] = surfaces.validity(i) == Validity::valid;
+        SurfaceBatch all;
+        surfaces.gather({0, 0, picture.width, picture.height}, 0, all);
+        ShadedBatch shaded;
+        const double dense_ns = nanoseconds(all, [&] { shaders[0].shade(all, shaded); });
         const int stride = radius > 200 ? 16 : 8;
         const std::vector<PictureWindow> windows = window_bandwidths(picture, mask, stride);
         std::vector<Image> pictures;
@@ -138,7 +155,10 @@ struct Case {
             settings.prediction = kPredictions.at(prediction);
             const BandwidthLook look = prepare_bandwidth(wardrobe, light, settings);
             const BandwidthLayers layers = bandwidth_layers(frame, assignment, surfaces, look, EstimatorKind::fitted, {});
-            print_row(prediction, layers, windows);
+            const BandwidthPredictor& predictor = look.predictors[0];
+            std::vector<AngularPrediction> angular(all.size());
+            const double predict_ns = nanoseconds(all, [&] { predictor.predict(all, angular); });
+            print_row(prediction, layers, windows, predict_ns, dense_ns);
             if (!study.pictures.empty()) pictures.push_back(predicted_picture(layers));
         }
         if (!study.pictures.empty()) {
@@ -148,8 +168,8 @@ struct Case {
         }
     }
 
-    void print_row(const std::string& prediction, const BandwidthLayers& layers,
-                   const std::vector<PictureWindow>& windows) const {
+    void print_row(const std::string& prediction, const BandwidthLayers& layers, const std::vector<PictureWindow>& windows,
+                   double predict_ns, double dense_ns) const {
         std::vector<float> predicted, measured;
         double under = 0, over = 0, gap = 0;
         for (const PictureWindow& w : windows) {
@@ -158,9 +178,9 @@ struct Case {
             under += difference > 1, over += difference < -1, gap += difference;
         }
         const auto count = static_cast<double>(windows.size());
-        std::printf("%s,%d,%s,%g,%s,%zu,%.3f,%.2f,%.2f,%.2f\n", light_name.c_str(), radius, study.model.c_str(), m,
+        std::printf("%s,%d,%s,%g,%s,%zu,%.3f,%.2f,%.2f,%.2f,%.0f,%.0f\n", light_name.c_str(), radius, study.model.c_str(), m,
                     prediction.c_str(), windows.size(), rank_correlation(predicted, measured), 100 * under / count,
-                    100 * over / count, gap / count);
+                    100 * over / count, gap / count, predict_ns, dense_ns);
         std::fflush(stdout);
     }
 };
@@ -180,7 +200,7 @@ int main(int argc, char** argv) {
     app.add_option("--pictures", study.pictures, "folder for PNGs: render, measured and predicted levels");
     app.add_flag("--display", study.display, "measure the picture as a display shows it, not linear light");
     CLI11_PARSE(app, argc, argv);
-    std::puts("light,radius,model,m,prediction,windows,rank_correlation,under_%,over_%,gap");
+    std::puts("light,radius,model,m,prediction,windows,rank_correlation,under_%,over_%,gap,predict_ns,dense_ns");
     const auto rows = [&](const std::string& name, const Environment& light) {
         for (const int radius : study.radii)
             for (const float m : study.widths) Case{study, name, light, radius, m}.run();

@@ -77,7 +77,7 @@ struct WaveletPrediction::LobeDirections {
             const float length = std::sqrt(tap.wi.length2()), cos_i = tap.wi.z * side_sign / length;
             if (cos_i <= 0 || tap.weight == Color3f(0, 0, 0) || !point.sees(tap.wi, side_sign)) continue;
             const Vec3f d = point.frame.to_world(tap.wi);
-            const float omega = std::exp2(2 * (tap.level - unit_level)), radius = std::min((getenv("TIGHT") ? float(atof(getenv("TIGHT"))) : 1.0f) * std::sqrt(omega / kPi), kPi / 4);
+            const float omega = std::exp2(2 * (tap.level - unit_level)), radius = std::min(std::sqrt(omega / kPi), kPi / 4);
             const float level = tap.level + CubePyramid::kDistortion * cube_distortion(d);
             const float through = luminance(pyramid.lookup(d, level) * tap.weight * point.scale);
             sums.add(nu_light.at(d, radius), rho, through, std::max(cos_i, kLeastCosine), omega);
