@@ -64,14 +64,15 @@ void print_row(const Table& table, const std::string& name, const AovFrame& fram
     ShadedFrame dense, sparse;
     const double dense_ms = milliseconds(table.repeats, [&] { dense = shade_dense(surfaces, assignment, shaders, {}); });
     const double sparse_ms =
-        milliseconds(table.repeats, [&] { sparse = shade_sparse(frame, surfaces, assignment, shaders, predictors, {}, {}); });
+        milliseconds(table.repeats, [&] { sparse = shade_sparse(frame, surfaces, assignment, shaders, predictors, {}); });
     const double turning_ms = milliseconds(table.repeats, [&] { CellTurning(frame, surfaces, assignment, {}); });
     const CellTurning turning(frame, surfaces, assignment, {});
     const double plan_ms = milliseconds(table.repeats, [&] { ShadingPlan(turning, surfaces, assignment, predictors); });
 
     const Image mask = valid_mask(surfaces, assignment);
     const double valid = static_cast<double>(surfaces.counts()[0]);
-    const auto shaded = static_cast<double>(std::ranges::count_if(sparse.samples.data, [](float n) { return n > 0; }));
+    const auto shaded = static_cast<double>(std::ranges::count_if(
+        shade_sparse(frame, surfaces, assignment, shaders, predictors, {}, true).samples.data, [](float n) { return n > 0; }));
     const Comparison error = compare_images(sparse.overlay, dense.overlay, &mask);
     const double oracle = static_cast<double>(oracle_pixels(dense.overlay, mask));
     std::printf("%s,%d,%s,%g,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.2f,%.2f,%.2f\n", name.c_str(), radius, table.model.c_str(), m,

@@ -100,19 +100,30 @@ void add_quality(std::vector<Setting>& table) {
                            "regular and filtered_importance: added to the pyramid level of every lookup; lower is sharper"));
     table.push_back(boolean({"albedo_correction", "quality", "albedo_correction"}, AT(estimator.albedo_correction),
                             "keeps the lobe's energy at grazing angles"));
-    table.push_back(choice<PredictionKind>(
-        {"prediction", "quality", "prediction"}, AT(density.prediction),
-        {{"curvature", PredictionKind::curvature}, {"correlated", PredictionKind::correlated}, {"source", PredictionKind::source}},
-        "how fast the overlay is taken to vary: by how the filtered light bends; by bandwidths of light and lobe; or by these as "
-        "published, which is more than it is for rough lobes"));
-    table.push_back(integer({"directions", "quality", "directions"}, AT(density.directions), {0, 64}, "",
-                            "of the light that a prediction looks into, per lobe and pixel; 0: by prediction"));
-    table.push_back(number({"safety", "quality", "safety"}, AT(density.safety), kPositive, "",
-                           "multiplies the predicted bandwidth: more for finer grids"));
     table.push_back(number({"tolerance", "quality", "tolerance"}, AT(estimator.tolerance), {1e-6, 1}, "",
                            "reference: standard error to stop at, relative to the pixel's mean"));
     table.push_back(integer({"max_samples", "quality", "max_samples"}, AT(estimator.max_samples), {1, 1 << 20}, "",
                             "reference: most samples of a pixel"));
+}
+
+void add_density(std::vector<Setting>& table) {
+    table.push_back(
+        choice<ShadingDensity>({"density", "quality", "density"}, AT(density.density),
+                               {{"dense", ShadingDensity::dense}, {"sparse", ShadingDensity::sparse}},
+                               "which pixels are shaded: dense, all of them; sparse, as many as the predicted bandwidth "
+                               "asks for, the others are interpolated"));
+    table.push_back(
+        choice<PredictionKind>({"prediction", "quality", "prediction"}, AT(density.prediction),
+                               {{"curvature", PredictionKind::curvature},
+                                {"correlated", PredictionKind::correlated},
+                                {"source", PredictionKind::source}},
+                               "sparse: what predicts the bandwidth: how sharply the filtered light bends; or wavelet "
+                               "bandwidths of light and lobe, space and angle together, or as published"));
+    table.push_back(integer({"directions", "quality", "directions"}, AT(density.directions), {0, 64}, "",
+                            "sparse: directions of light per lobe and prediction; 0: as the prediction needs"));
+    table.push_back(
+        number({"safety", "quality", "safety"}, AT(density.safety), {0.05, 100}, "",
+               "sparse: multiplies the predicted bandwidth; 1 keeps within 45 dB of dense, more is closer and slower"));
 }
 
 void add_surface(std::vector<Setting>& table) {
@@ -167,7 +178,7 @@ void add_output(std::vector<Setting>& table) {
 
 std::vector<Setting> make_settings() {
     std::vector<Setting> table;
-    for (auto* add : {add_input, add_light, add_materials, add_quality, add_surface, add_composite, add_color, add_output})
+    for (auto* add : {add_input, add_light, add_materials, add_quality, add_density, add_surface, add_composite, add_color, add_output})
         add(table);
     return table;
 }

@@ -10,6 +10,7 @@
 #include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace burnish {
@@ -126,6 +127,11 @@ struct MaterialShader::LobeShader {
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {
     for (const LobeParameters& lobe : material.lobes) m_lobes.push_back(std::make_shared<LobeShader>(lobe, light, settings));
+}
+
+BatchNeeds MaterialShader::needs() const {
+    const auto turns = [](const auto& shader) { return shader->lobe.is_anisotropic(); };
+    return {.position = false, .tangent = std::any_of(m_lobes.begin(), m_lobes.end(), turns)};
 }
 
 bool MaterialShader::estimates_error() const {

@@ -36,10 +36,19 @@ public:
     /// it comes.
     void predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const;
 
+    /// The fields of a batch that `predict` reads, and layers that some lobe of the material reads.
+    BatchNeeds needs() const { return {false, m_is_anisotropic}; }
+    const PerPixel& used_layers() const { return m_used_layers; }
+
     struct Variant;  // one kind of prediction
 
 private:
+    bool m_is_anisotropic = false;
+    PerPixel m_used_layers;
     std::shared_ptr<const Variant> m_variant;
 };
+
+/// Layers that any of the materials reads.
+PerPixel used_layers(std::span<const BandwidthPredictor> predictors);
 
 }  // namespace burnish

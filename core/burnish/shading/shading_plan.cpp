@@ -75,10 +75,11 @@ struct ShadingPlan::Planner {
             if (assignment.rule[pixel] == rule) own.push_back(cell), centres.pixel.push_back(pixel);
         }
         if (own.empty()) return;
-        surfaces.fill(centres);
+        const BatchNeeds needs = predictors[static_cast<size_t>(rule)].needs();
+        surfaces.fill(centres, needs);
         predictions.resize(own.size());
         predictors[static_cast<size_t>(rule)].predict(centres, predictions);
-        add_other_motion();
+        add_other_motion(needs);
         for (size_t i = 0; i < own.size(); ++i) {
             own[i].reach = predictions[i].reach;
             if (motion_of(own[i]) * extent_of(own[i]) <= own[i].reach)
@@ -90,14 +91,14 @@ struct ShadingPlan::Planner {
 
     /// Radian per pixel that the view turns, and the lobe's far end with its tangent, from the centres to their neighbours. What was
     /// found for a larger cell holds for its parts.
-    void add_other_motion() {
+    void add_other_motion(const BatchNeeds& needs) {
         neighbours.clear();
         for (size_t i = 0; i < own.size(); ++i)
             if (own[i].reach == kUnknown)
                 for (const int step : {1, assignment.width})
                     neighbours.pixel.push_back(centres.pixel[i] + static_cast<uint32_t>(step));
         if (neighbours.pixel.empty()) return;
-        surfaces.fill(neighbours);
+        surfaces.fill(neighbours, needs);
         for (size_t i = 0, k = 0; i < own.size(); ++i) {
             if (own[i].reach != kUnknown) continue;
             for (int side = 0; side < 2; ++side, ++k) {

@@ -32,10 +32,10 @@ void list_corners(const ShadingPlan& plan, const Surfaces& surfaces, const Assig
 
 ShadedFrame shade_sparse(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
                          const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
-                         const PerPixel& used, const Progress& progress) {
-    const CellTurning turning(frame, surfaces, assignment, used);
+                         const Progress& progress, bool with_samples) {
+    const CellTurning turning(frame, surfaces, assignment, used_layers(predictors));
     const ShadingPlan plan(turning, surfaces, assignment, predictors);
-    ShadedFrame shaded = shaded_frame(assignment.width, assignment.height, shaders);
+    ShadedFrame shaded = shaded_frame(assignment.width, assignment.height, shaders, with_samples);
     const auto list = [&](const Window& tile, PixelLists& pixels) { list_corners(plan, surfaces, assignment, tile, pixels); };
     shade_tiles(surfaces, shaders, kSparseTile, list, progress, shaded);
     upsample(plan, shaded.overlay);

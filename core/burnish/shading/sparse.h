@@ -17,6 +17,6 @@ namespace burnish {
 /// interpolated. Bit-identical for any thread count.
 ShadedFrame shade_sparse(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
                          const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
-                         const PerPixel& used, const Progress& progress);
+                         const Progress& progress, bool with_samples = false);
 
 }  // namespace burnish

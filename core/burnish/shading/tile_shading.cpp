@@ -5,24 +5,25 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 namespace burnish {
 namespace {
 
-/// Returns the lookups of the batch.
-double scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& frame) {
-    double lookups = 0;
+void scatter(const SurfaceBatch& batch, const std::vector<float>& values, Image& image) {
+    if (image.empty() || values.empty()) return;
+    for (size_t i = 0; i < batch.size(); ++i) image.data[batch.pixel[i]] = values[i];
+}
+
+void scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& frame) {
     for (size_t i = 0; i < batch.size(); ++i) {
         float* overlay = frame.overlay.at(static_cast<size_t>(batch.pixel[i]));
         const Color3f& c = shaded.overlay[i];
         overlay[0] = c.x, overlay[1] = c.y, overlay[2] = c.z;
-        *frame.samples.at(static_cast<size_t>(batch.pixel[i])) = shaded.samples[i];
-        lookups += shaded.samples[i];
-        if (!shaded.standard_error.empty())
-            *frame.standard_error.at(static_cast<size_t>(batch.pixel[i])) = shaded.standard_error[i];
     }
-    return lookups;
+    scatter(batch, shaded.samples, frame.samples);
+    scatter(batch, shaded.standard_error, frame.standard_error);
 }
 
 constexpr size_t kBatch = 1024;  // pixels: what a batch holds stays in the second-level cache
@@ -39,18 +40,20 @@ struct Scratch {
             const auto part = list.first(std::min(list.size(), kBatch));
             batch.clear();
             batch.pixel.assign(part.begin(), part.end());
-            surfaces.fill(batch);
+            surfaces.fill(batch, shader.needs());
             shader.shade(batch, shaded);
-            lookups += scatter(batch, shaded, frame);
+            lookups += std::reduce(shaded.samples.begin(), shaded.samples.end(), 0.0);
+            scatter(batch, shaded, frame);
         }
     }
 };
 
 }  // namespace
 
-ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader>& shaders) {
+ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader>& shaders, bool with_samples) {
     const bool with_error = std::any_of(shaders.begin(), shaders.end(), [](const auto& s) { return s.estimates_error(); });
-    return {Image(width, height, 3), with_error ? Image(width, height, 1) : Image(), Image(width, height, 1), 0};
+    const auto plane = [&](bool wanted) { return wanted ? Image(width, height, 1) : Image(); };
+    return {Image(width, height, 3), plane(with_error), plane(with_samples), 0};
 }
 
 void shade_tiles(const Surfaces& surfaces, const std::vector<MaterialShader>& shaders, int tile_size,

@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// An empty frame of results for these shaders.
-ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader>& shaders);
+ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader>& shaders, bool with_samples);
 
 /// The pixels of a tile to be shaded, by rule; row-major.
 using PixelLists = std::vector<std::vector<uint32_t>>;
