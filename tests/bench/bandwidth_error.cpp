@@ -1,16 +1,13 @@
 // Predicted against measured bandwidth: windowed Fourier transforms of dense renders of a sphere, as CSV on standard output.
 //
-// One row per (light, radius, m, prediction). Levels are those of shading_level, no coarser than 32-pixel windows tell (3):
-// `under_%` of the windows are predicted more than one level too coarse, `over_%` more than one too fine; `gap` is the mean of
-// predicted minus measured level. Times are of all valid pixels in one batch, one thread, the least of three. --pictures writes for each row of pictures the render, measured and predicted levels.
-#include "bench/window_bandwidth.h"
+// One row per (light, radius, m, prediction). Levels are windowed_level; `under_%` of the windows are predicted more than one
+// level too coarse, `over_%` more than one too fine; `gap` is the mean of predicted less measured level. Times are of all valid
+// pixels in one batch, one thread, the least of three. --pictures DIR also draws each (light, radius, m).
+#include "bench/bandwidth_pictures.h"
 #include "core/scenes.h"
 
 #include <burnish/base/parallel.h>
-#include <burnish/frequency/bandwidth_buffer.h>
 #include <burnish/job/bandwidth_layers.h>
-#include <burnish/output/level_colors.h>
-#include <burnish/output/preview.h>
 #include <burnish/shading/dense.h>
 
 #include <CLI/CLI.hpp>
@@ -37,9 +34,6 @@ struct Study {
 const std::map<std::string, ModelId> kModels{{"kurt", ModelId::kurt}, {"beckmann", ModelId::beckmann}, {"ggx", ModelId::ggx}};
 const std::map<std::string, PredictionKind> kPredictions{
     {"source", PredictionKind::source}, {"correlated", PredictionKind::correlated}, {"curvature", PredictionKind::curvature}};
-constexpr float kCoarsest = 3;  // level of 2 cycles per window, all that a Hann window resolves
-
-float windowed_level(float bandwidth) { return std::min(shading_level(bandwidth, 1 << 12, 1 << 12), kCoarsest); }
 
 std::vector<double> ranks(const std::vector<float>& values) {
     std::vector<size_t> order(values.size());
@@ -65,47 +59,10 @@ double rank_correlation(const std::vector<float>& a, const std::vector<float>& b
     return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0.0;
 }
 
-/// Luminance, linear or scaled to a mean of 0.18 and encoded as a display would.
-Image gray(const Image& rgb, bool display) {
-    Image image(rgb.width, rgb.height, 1);
-    double sum = 0, count = 0;
-    for (size_t i = 0; i < rgb.pixel_count(); ++i) {
-        image.data[i] = luminance({rgb.at(i)[0], rgb.at(i)[1], rgb.at(i)[2]});
-        sum += image.data[i], count += image.data[i] > 0;
-    }
-    const auto exposure = static_cast<float>(0.18 * count / sum);
-    if (display)
-        for (float& value : image.data) value = std::pow(std::min(value * exposure, 1.0f), 1 / 2.2f);
-    return image;
-}
-
-/// Levels as colours, of windows painted about their middles.
-Image measured_picture(const Image& like, const std::vector<PictureWindow>& windows, int stride) {
-    Image picture(like.width, like.height, 3);
-    for (const PictureWindow& w : windows)
-        for (int y = 0; y < stride; ++y)
-            for (int x = 0; x < stride; ++x) {
-                const int px = w.x + (PictureWindow::kSize - stride) / 2 + x,
-                          py = w.y + (PictureWindow::kSize - stride) / 2 + y;
-                std::copy_n(&level_color(windowed_level(w.bandwidth)).x, 3, picture.at(px, py));
-            }
-    return picture;
-}
-
-Image predicted_picture(const BandwidthLayers& layers) {
-    Image picture(layers.level.width, layers.level.height, 3);
-    for (size_t i = 0; i < picture.pixel_count(); ++i)
-        if (*layers.shaded.at(i) > 0) std::copy_n(&level_color(windowed_level(*layers.bandwidth.at(i))).x, 3, picture.at(i));
-    return picture;
-}
-
-Image beside(const std::vector<Image>& pictures) {
-    const Image& first = pictures.front();
-    Image all(first.width * static_cast<int>(pictures.size()), first.height, 3);
-    for (size_t k = 0; k < pictures.size(); ++k)
-        for (int y = 0; y < first.height; ++y)
-            std::copy_n(pictures[k].at(0, y), first.width * 3, all.at(static_cast<int>(k) * first.width, y));
-    return all;
+Image mask_of(const Surfaces& surfaces, const Image& like) {
+    Image mask(like.width, like.height, 1);
+    for (size_t i = 0; i < mask.pixel_count(); ++i) mask.data[i] = surfaces.validity(i) == Validity::valid;
+    return mask;
 }
 
 /// The least wall time of three runs, nanoseconds a pixel.
@@ -134,38 +91,28 @@ struct Case {
         Wardrobe wardrobe;
         wardrobe.materials = {{"bench", Color3f(0, 0, 0), {scenes::lobe_of(kModels.at(study.model), m, m)}}};
         const std::vector<MaterialShader> shaders{MaterialShader(wardrobe.materials[0], light, {})};
-        const Image overlay = shade_dense(surfaces, assignment, shaders, {}).overlay, picture = gray(overlay, study.display);
-        Image mask(picture.width, picture.height, 1);
-        for (size_t i = 0; i < mask.pixel_count(); ++i) mask.data[i] = surfaces.validity(i) == Validity::valid;
+        const Image overlay = shade_dense(surfaces, assignment, shaders, {}).overlay;
         SurfaceBatch all;
-        surfaces.gather({0, 0, picture.width, picture.height}, 0, all);
+        surfaces.gather({0, 0, overlay.width, overlay.height}, 0, all);
         ShadedBatch shaded;
         const double dense_ns = nanoseconds(all, [&] { shaders[0].shade(all, shaded); });
+
         const int stride = radius > 200 ? 16 : 8;
-        const std::vector<PictureWindow> windows = window_bandwidths(picture, mask, stride);
-        std::vector<Image> pictures;
-        if (!study.pictures.empty()) {
-            const Image encoded = gray(overlay, true);
-            Image& shown = pictures.emplace_back(picture.width, picture.height, 3);
-            for (size_t i = 0; i < shown.pixel_count(); ++i) std::fill_n(shown.at(i), 3, *encoded.at(i));
-            pictures.push_back(measured_picture(picture, windows, stride));
-        }
+        const auto windows = window_bandwidths(luminance_picture(overlay, study.display), mask_of(surfaces, overlay), stride);
+        BandwidthPictures pictures(overlay, windows, stride);
         for (const std::string& prediction : study.predictions) {
             DensitySettings settings = study.density;
             settings.prediction = kPredictions.at(prediction);
             const BandwidthLook look = prepare_bandwidth(wardrobe, light, settings);
             const BandwidthLayers layers = bandwidth_layers(frame, assignment, surfaces, look, EstimatorKind::fitted, {});
-            const BandwidthPredictor& predictor = look.predictors[0];
             std::vector<AngularPrediction> angular(all.size());
-            const double predict_ns = nanoseconds(all, [&] { predictor.predict(all, angular); });
+            const double predict_ns = nanoseconds(all, [&] { look.predictors[0].predict(all, angular); });
             print_row(prediction, layers, windows, predict_ns, dense_ns);
-            if (!study.pictures.empty()) pictures.push_back(predicted_picture(layers));
+            pictures.add(prediction, layers.bandwidth);
         }
-        if (!study.pictures.empty()) {
-            char name[96];
-            std::snprintf(name, sizeof name, "/%s_r%d_m%g.png", light_name.c_str(), radius, m);
-            write_code_values(study.pictures + name, beside(pictures));
-        }
+        char name[96];
+        std::snprintf(name, sizeof name, "/%s_r%d_m%g", light_name.c_str(), radius, m);
+        if (!study.pictures.empty()) pictures.write(study.pictures + name);
     }
 
     void print_row(const std::string& prediction, const BandwidthLayers& layers, const std::vector<PictureWindow>& windows,
@@ -197,7 +144,7 @@ int main(int argc, char** argv) {
     app.add_option("--predictions", study.predictions, "source, correlated, curvature")->delimiter(',')->capture_default_str();
     app.add_option("--directions", study.density.directions, "per lobe; 0: by kind")->capture_default_str();
     app.add_option("--safety", study.density.safety)->capture_default_str();
-    app.add_option("--pictures", study.pictures, "folder for PNGs: render, measured and predicted levels");
+    app.add_option("--pictures", study.pictures, "folder for PNGs and EXRs: render, measured and predicted levels");
     app.add_flag("--display", study.display, "measure the picture as a display shows it, not linear light");
     CLI11_PARSE(app, argc, argv);
     std::puts("light,radius,model,m,prediction,windows,rank_correlation,under_%,over_%,gap,predict_ns,dense_ns");

@@ -2,6 +2,7 @@
 
 #include <burnish/base/parallel.h>
 #include <burnish/base/types.h>
+#include <burnish/frequency/bandwidth_buffer.h>
 
 #include <Eigen/Core>
 
@@ -69,6 +70,11 @@ std::vector<PictureWindow> window_bandwidths(const Image& picture, const Image& 
             if (is_covered(mask, x, y)) windows.push_back({x, y, 0});
     for_each_index(static_cast<int>(windows.size()), [&](int i) { windows[i].bandwidth = bandwidth_of(picture, windows[i]); });
     return windows;
+}
+
+float windowed_level(float cycles_per_pixel) {
+    constexpr int kLargePicture = 4096;
+    return std::min(shading_level(cycles_per_pixel, kLargePicture, kLargePicture), 3.0f);
 }
 
 float window_mean(const Image& picture, const PictureWindow& window) {

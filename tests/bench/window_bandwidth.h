@@ -17,6 +17,9 @@ struct PictureWindow {
 /// All windows `stride` pixels apart whose pixels are all in `mask`, of a picture of one channel.
 std::vector<PictureWindow> window_bandwidths(const Image& picture, const Image& mask, int stride);
 
+/// shading_level of a bandwidth, but no coarser than 3, all that such a window resolves.
+float windowed_level(float cycles_per_pixel);
+
 /// Mean of a channel over a window, weighted like its transform.
 float window_mean(const Image& picture, const PictureWindow& window);
 
