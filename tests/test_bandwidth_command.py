@@ -56,7 +56,7 @@ def test_every_level_holds_the_extremes_of_the_one_before(cli, job, tmp_path):
 
 
 def test_layers_say_one_thing(cli, job, tmp_path):
-    result = cli(*job, "--json")
+    result = cli(*job, "--json", "--report", tmp_path / "report.json")
     full = parts(tmp_path / "out" / "out.exr")["level_0"]
     hit = scenes.sphere(64, 47)["object_id"] > 0
     bandwidth, level = full["bandwidth.X"], full["level.X"]
@@ -66,6 +66,7 @@ def test_layers_say_one_thing(cli, job, tmp_path):
     assert np.median(full["curvature.X"][hit]) == pytest.approx(1, rel=0.2)
     turn = bandwidth[hit] / full["nu_a.X"][hit]  # 2 c d' / cos and 1, times the pixel's angle
     assert turn.min() == pytest.approx(7 * np.tan(np.radians(22.5)) / 32, rel=0.1)
+    assert json.loads((tmp_path / "report.json").read_text()) == json.loads(result.out)
     report, = json.loads(result.out)["frames"]
     assert report["pixels"] == hit.sum() == sum(report["levels"])
     assert report["grid_samples"] == pytest.approx((0.25 ** level[hit]).sum())

@@ -8,6 +8,7 @@
 #include <burnish/job/read_frame.h>
 #include <burnish/job/stages.h>
 #include <burnish/output/exr_threads.h>
+#include <burnish/output/exr_writer.h>
 #include <burnish/output/preview.h>
 
 #include <nlohmann/json.hpp>
@@ -96,6 +97,7 @@ std::vector<BandwidthReport> run_bandwidth(const Job& job, const Progress& progr
             reports[i].error = std::string(error_name(error.code())) + " " + error.what();
         }
     }
+    if (!job.output.report.empty()) write_text(job.output.report, report_to_json(reports).dump(2) + "\n");
     progress.report("done", 1.0f);
     return reports;
 }

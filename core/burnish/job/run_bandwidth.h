@@ -26,8 +26,8 @@ struct BandwidthReport {
     double grid_samples() const;
 };
 
-/// Writes Job::output.file (and .preview, see level_picture) for every frame, whole files or none; frames that fail end the run or
-/// are passed over, as the job says. Throws as `run` does.
+/// Writes Job::output.file (and .preview, see level_picture) for every frame, whole files or none, and .report at the end. Frames are
+/// in memory whole; those that fail end the run or are passed over, as the job says. Throws as `run` does.
 std::vector<BandwidthReport> run_bandwidth(const Job& job, const Progress& progress);
 
 /// "out.exr  640x360  0.31 s  50000 pixels, of which grids take 8.1 %: level 0 5.1 %, 1 7.0 %, 2 ..."

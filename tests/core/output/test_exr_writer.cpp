@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <limits>
@@ -270,7 +271,8 @@ TEST(ExrWriter, WritesPartsOfDifferentSizes) {
         const OIIO::ImageSpec& spec = part->spec();
         EXPECT_EQ((Window{spec.x, spec.y, spec.width, spec.height}), window);
         EXPECT_EQ(spec.full_width, 10);
-        std::vector<float> pixels(image->data.size());
+        auto pixels = image->data;
+        std::ranges::fill(pixels, 0.0f);
         ASSERT_TRUE(part->get_pixels(part->roi(), OIIO::TypeFloat, pixels.data()));
         EXPECT_EQ(pixels, image->data);
     }
