@@ -92,6 +92,7 @@ def composite(
     light: _Path | _Array | Environment | None,
     materials: str | dict | None = None,
     *,
+    fine_aovs: dict | _Path | None = None,
     assign: list | dict | None = None,
     camera: dict | _Path | _Sequence[float] | None = None,
     progress: _Progress | None = None,
@@ -108,6 +109,9 @@ def composite(
         Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already.
     materials : str or dict, optional
         What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
+    fine_aovs : str or os.PathLike or dict, optional
+        For anti-aliasing: the surfaces of the same frame (positions, normals, ids, ...) at a multiple of its width and
+        height, as `aovs`; `aovs` is then read for the picture alone, and masks in `assign` have the size of these.
     assign : list or dict, optional
         Rules as in the shot file, or material name -> mask of shape (height, width) with coverage in [0, 1]; later ones
         win. Without it the whole frame wears the one material.
@@ -140,12 +144,15 @@ def composite(
     if frame is None:
         settings["aovs"] = aovs
     settings.update(_wardrobe(materials))
+    fine = fine_aovs if isinstance(fine_aovs, dict) else None
+    if fine is None and fine_aovs is not None:
+        settings["fine_aovs"] = fine_aovs
     masks = assign if isinstance(assign, dict) else None
     if masks is None and assign is not None:
         settings["assign"] = assign
     if camera is not None:
         settings["camera"] = camera if isinstance(camera, (str, dict, _PathLike)) else {"position": camera}
-    return _core.composite(frame, light, masks, settings, progress)
+    return _core.composite(frame, fine, light, masks, settings, progress)
 
 
 def _wardrobe(materials):

@@ -17,9 +17,10 @@ struct Colors {
     HWY_INLINE Colors(D d, const float* pixels) { hn::LoadInterleaved3(d, pixels, c[0], c[1], c[2]); }
 };
 
+/// Shares of pixels `at` and on, masked.
 template <class D>
-HWY_INLINE hn::Vec<D> weights(D d, const OverlayRow& row, size_t at) {
-    const auto coverage = hn::LoadU(d, row.coverage + at);
+HWY_INLINE hn::Vec<D> weights(D d, const OverlayRow& row, const float* shares, size_t at) {
+    const auto coverage = hn::LoadU(d, shares + at);
     if (!row.mask) return coverage;
     const auto mask = hn::LoadU(d, row.mask + at);
     return hn::IfThenElseZero(hn::IsFinite(mask), hn::Mul(coverage, mask));
@@ -29,7 +30,7 @@ HWY_INLINE hn::Vec<D> weights(D d, const OverlayRow& row, size_t at) {
 template <class D>
 HWY_INLINE size_t add_vectors(D d, const OverlayRow& row, const Color3f& tint, float gain, size_t at, size_t end) {
     for (; at + hn::Lanes(d) <= end; at += hn::Lanes(d)) {
-        const auto weight = weights(d, row, at), gained = hn::Mul(hn::Set(d, gain), weight);
+        const auto weight = weights(d, row, row.coverage, at), gained = hn::Mul(hn::Set(d, gain), weight);
         Colors<D> added(d, row.overlay + 3 * at), sum(d, row.base + 3 * at);
         if (row.old_overlay) {
             const Colors<D> old(d, row.old_overlay + 3 * at);
@@ -41,7 +42,8 @@ HWY_INLINE size_t add_vectors(D d, const OverlayRow& row, const Color3f& tint, f
         }
         if (row.removed) {
             const Colors<D> removed(d, row.removed + 3 * at);
-            for (int k = 0; k < 3; ++k) sum.c[k] = hn::Sub(sum.c[k], hn::Mul(removed.c[k], weight));
+            const auto share = weights(d, row, row.replaced, at);
+            for (int k = 0; k < 3; ++k) sum.c[k] = hn::Sub(sum.c[k], hn::Mul(removed.c[k], share));
         }
         const auto alpha = row.alpha ? hn::LoadU(d, row.alpha + at) : hn::Set(d, 1.0f);
         hn::StoreInterleaved3(added.c[0], added.c[1], added.c[2], d, row.overlay + 3 * at);

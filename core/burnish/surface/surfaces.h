@@ -23,7 +23,7 @@ public:
     /// Frame and assignment must outlive the surfaces. Needs P, N and the camera; throws Error(missing_channel).
     Surfaces(const AovFrame& frame, const Assignment& assignment, const SurfaceSettings& settings);
 
-    /// Rows of the frame's margins count for nothing and are never valid.
+    /// Rows of the frame's margins count for nothing, and are valid only where they are to be shaded.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
     bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
     const ValidityCounts& counts() const { return m_counts.validity; }
