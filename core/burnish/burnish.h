@@ -31,6 +31,10 @@
 
 #include <burnish/light/environment.h>
 
+#include <burnish/frequency/light_bandwidth.h>
+#include <burnish/frequency/lobe_bandwidth.h>
+#include <burnish/frequency/local_bandwidth.h>
+
 #include <burnish/shading/dense.h>
 
 #include <burnish/composite/composite.h>
