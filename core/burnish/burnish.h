@@ -22,6 +22,7 @@
 
 #include <burnish/surface/surfaces.h>
 
+#include <burnish/sampling/density.h>
 #include <burnish/sampling/estimator.h>
 
 #include <burnish/material/albedo.h>
@@ -36,6 +37,7 @@
 #include <burnish/frequency/local_bandwidth.h>
 
 #include <burnish/shading/dense.h>
+#include <burnish/shading/sparse.h>
 
 #include <burnish/composite/composite.h>
 

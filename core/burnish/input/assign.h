@@ -23,7 +23,7 @@ struct Assignment {
     int width = 0, height = 0;
     std::vector<int16_t> rule;
     std::vector<float> coverage;
-    std::vector<size_t> counts;  // pixels per rule
+    std::vector<size_t> counts;  // pixels per rule, an entry for each
 };
 
 /// Gives each pixel the rule that covers most of it. Where rules select the same object the last one takes it, and what

@@ -10,6 +10,7 @@
 #include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace burnish {
@@ -58,8 +59,8 @@ struct MaterialShader::LobeShader {
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
         if (table.tap_count() == 0) return add_tap_by_tap(batch, out);
-        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch, out.overlay,
-                          out.samples);
+        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch,
+                          {out.overlay, out.samples, {}});
     }
 
     /// Where each pixel has to make its own taps.
@@ -126,6 +127,11 @@ struct MaterialShader::LobeShader {
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {
     for (const LobeParameters& lobe : material.lobes) m_lobes.push_back(std::make_shared<LobeShader>(lobe, light, settings));
+}
+
+BatchNeeds MaterialShader::needs() const {
+    const auto turns = [](const auto& shader) { return shader->lobe.is_anisotropic(); };
+    return {.position = false, .tangent = std::any_of(m_lobes.begin(), m_lobes.end(), turns)};
 }
 
 bool MaterialShader::estimates_error() const {

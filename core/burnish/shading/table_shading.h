@@ -19,9 +19,14 @@ struct TableShading {
     Color3f gain;
 };
 
-/// Adds the lobe's overlay of pixel i to overlay[i], and to samples[i] the lookups it took: taps of no weight take none. The
-/// same pixel gives the same bits in whatever batch it comes.
-void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay,
-                       std::span<float> samples);
+/// Where the sums of a batch are added, entry i for pixel i.
+struct TableSums {
+    std::span<Color3f> overlay;
+    std::span<float> samples;  // lookups it took: taps of no weight take none
+    std::span<float> fourth;   // of the stack's fourth channel, taps weighted by their luminance; may be empty
+};
+
+/// Adds the lobe's overlay. The same pixel gives the same bits in whatever batch it comes.
+void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, const TableSums& out);
 
 }  // namespace burnish
