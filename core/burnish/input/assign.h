@@ -21,8 +21,8 @@ struct AssignRule {
 /// Per pixel: index into the list of rules (-1 = none) and the share of the pixel it covers, in [0, 1].
 struct Assignment {
     int width = 0, height = 0;
-    std::vector<int16_t> rule;
-    std::vector<float> coverage;
+    PixelVector<int16_t> rule;
+    PixelVector<float> coverage;
     std::vector<size_t> counts;  // pixels per rule, an entry for each
 };
 

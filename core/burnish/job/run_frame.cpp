@@ -60,7 +60,7 @@ void cover_shaded(const Surfaces& surfaces, Assignment& assignment) {
 }
 
 Image validity_image(const Surfaces& surfaces, int width, int height) {
-    Image image(width, height, 1);
+    Image image = Image::unset(width, height, 1);
     for_each_index(height, [&](int y) {
         const size_t begin = static_cast<size_t>(y) * width;
         for (size_t i = begin; i < begin + width; ++i) image.data[i] = static_cast<float>(surfaces.validity(i));

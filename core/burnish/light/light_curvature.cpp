@@ -29,23 +29,29 @@ struct SecondDifference {
     }
 };
 
-float texel_luminance(const float* rgba) { return luminance({rgba[0], rgba[1], rgba[2]}); }
+/// All channels count alike here: a display shows errors of each.
+float brightness(const float* rgba) { return (rgba[0] + rgba[1] + rgba[2]) / 3; }
 
-/// The largest second derivative at each texel; borders are yet to be filled.
+/// The largest second derivative at each texel; borders are yet to be filled. Lines bend where they leave the face, so its outermost
+/// texels have none of their own: what is there shows in their neighbours', and comes back by `spread_largest`.
 void set_second_derivatives(CubeLevel& level) {
     const int size = level.size();
     const float h = 2.0f / static_cast<float>(size);
     for_each_index(size, [&](int y) {
         const float v = (static_cast<float>(y) + 0.5f) * h - 1;
         for (int x = 0; x < size; ++x) {
+            if (x == 0 || y == 0 || x == size - 1 || y == size - 1) {
+                for (int face = 0; face < 6; ++face) level.at(face, x, y)[3] = 0;
+                continue;
+            }
             const float u = (static_cast<float>(x) + 0.5f) * h - 1;
             float largest[6] = {};
             for (const Line& line : kLines) {
                 const SecondDifference weight(line, h, u, v);
                 for (int face = 0; face < 6; ++face) {
-                    const float here = texel_luminance(level.at(face, x, y));
-                    const float before = texel_luminance(level.at(face, x - line.dx, y - line.dy)) - here;
-                    const float after = texel_luminance(level.at(face, x + line.dx, y + line.dy)) - here;
+                    const float here = brightness(level.at(face, x, y));
+                    const float before = brightness(level.at(face, x - line.dx, y - line.dy)) - here;
+                    const float after = brightness(level.at(face, x + line.dx, y + line.dy)) - here;
                     largest[face] = std::max(largest[face], std::fabs(weight.before * before + weight.after * after));
                 }
             }

@@ -26,6 +26,12 @@ void scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& 
     scatter(batch, shaded.standard_error, frame.standard_error);
 }
 
+/// Just before its pixels are shaded: the tile then is in the cache.
+void clear(const Window& tile, Image& image) {
+    for (int y = tile.y; y < tile.y + tile.height; ++y)
+        std::fill_n(image.at(tile.x, y), static_cast<size_t>(tile.width) * image.channels, 0.0f);
+}
+
 constexpr size_t kBatch = 1024;  // pixels: what a batch holds stays in the second-level cache
 
 /// Of one thread, kept from tile to tile: its planes grow once.
@@ -53,7 +59,7 @@ struct Scratch {
 ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader>& shaders, bool with_samples) {
     const bool with_error = std::any_of(shaders.begin(), shaders.end(), [](const auto& s) { return s.estimates_error(); });
     const auto plane = [&](bool wanted) { return wanted ? Image(width, height, 1) : Image(); };
-    return {Image(width, height, 3), plane(with_error), plane(with_samples), 0};
+    return {Image::unset(width, height, 3), plane(with_error), plane(with_samples), 0};
 }
 
 void shade_tiles(const Surfaces& surfaces, const std::vector<MaterialShader>& shaders, int tile_size,
@@ -64,6 +70,7 @@ void shade_tiles(const Surfaces& surfaces, const std::vector<MaterialShader>& sh
         Scratch& own = scratch.local();
         own.pixels.resize(shaders.size());
         for (std::vector<uint32_t>& pixels : own.pixels) pixels.clear();
+        clear(tile, frame.overlay);
         list(tile, own.pixels);
         for (size_t rule = 0; rule < shaders.size(); ++rule) own.shade(surfaces, shaders[rule], own.pixels[rule], frame);
     };

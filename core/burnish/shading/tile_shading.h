@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// An empty frame of results for these shaders.
+/// A frame for the results of these shaders; its overlay is unset until its tiles are shaded.
 ShadedFrame shaded_frame(int width, int height, const std::vector<MaterialShader>& shaders, bool with_samples);
 
 /// The pixels of a tile to be shaded, by rule; row-major.

@@ -2,6 +2,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "burnish/surface/fetch.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -14,6 +15,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using FetchLanes = hn::ScalableTag<float>;
 using Fetched = hn::Vec<FetchLanes>;
+constexpr size_t kAhead =
+    128;  // pixels asked for while these are worked on: rows of a tile are too short for the processor's guess
+constexpr size_t kPixelsPerLine = 4;  // of a cache line, 5 1/3
 constexpr size_t kMostLanes = hn::MaxLanes(FetchLanes());
 
 struct FetchedVectors {
@@ -55,12 +59,17 @@ HWY_INLINE void resize_planes(Vec3Planes& planes, size_t count) {
     planes.x.resize(count), planes.y.resize(count), planes.z.resize(count);
 }
 
-/// unit <- `vector(pixels)`, a vector of them at a time, normalised. The last ones go along with copies of the last.
+/// unit <- `vector(pixels)` of the layer, a vector of them at a time, normalised. The last ones go along with copies of the last.
 template <class VectorOf>
-HWY_INLINE void fetch_all(std::span<const uint32_t> pixels, const VectorOf& vector, Vec3Planes& unit) {
+HWY_INLINE void fetch_all(const float* layer, std::span<const uint32_t> pixels, const VectorOf& vector, Vec3Planes& unit) {
     const size_t lanes = hn::Lanes(FetchLanes()), whole = pixels.size() / lanes * lanes;
     resize_planes(unit, whole == pixels.size() ? whole : whole + lanes);
-    for (size_t at = 0; at < whole; at += lanes) store_unit(vector(pixels.data() + at), at, unit);
+    for (size_t at = 0; at < whole; at += lanes) {
+        const size_t ahead = std::min(at + kAhead, pixels.size() - lanes);
+        for (size_t lane = 0; lane < lanes; lane += kPixelsPerLine)
+            hwy::Prefetch(layer + 3 * static_cast<size_t>(pixels[ahead + lane]));
+        store_unit(vector(pixels.data() + at), at, unit);
+    }
     if (whole == pixels.size()) return;
     uint32_t rest[kMostLanes];
     std::fill_n(std::copy(pixels.begin() + static_cast<std::ptrdiff_t>(whole), pixels.end(), rest),
@@ -71,7 +80,7 @@ HWY_INLINE void fetch_all(std::span<const uint32_t> pixels, const VectorOf& vect
 
 void fetch_unit_vectors(const float* layer, std::span<const uint32_t> pixels, Vec3Planes& unit) {
     fetch_all(
-        pixels, [&](const uint32_t* listed) { return load_listed(layer, listed); }, unit);
+        layer, pixels, [&](const uint32_t* listed) { return load_listed(layer, listed); }, unit);
 }
 
 void fetch_view_vectors(const float* position, const Vec3f& eye, std::span<const uint32_t> pixels, Vec3Planes& wo) {
@@ -80,7 +89,7 @@ void fetch_view_vectors(const float* position, const Vec3f& eye, std::span<const
         const FetchedVectors p = load_listed(position, listed);
         return {hn::Sub(hn::Set(d, eye.x), p.x), hn::Sub(hn::Set(d, eye.y), p.y), hn::Sub(hn::Set(d, eye.z), p.z)};
     };
-    fetch_all(pixels, view, wo);
+    fetch_all(position, pixels, view, wo);
 }
 
 }  // namespace HWY_NAMESPACE

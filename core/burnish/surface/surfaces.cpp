@@ -151,15 +151,14 @@ void Surfaces::fill_parameters(SurfaceBatch& batch) const {
 }
 
 void Surfaces::list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const {
-    for (int y = tile.y; y < tile.y + tile.height; ++y)
-        collect(m_validity.data(), m_assignment.rule.data(), rule, static_cast<size_t>(y) * m_assignment.width + tile.x,
-                static_cast<size_t>(tile.width), pixels);
+    if (m_counts.rule[static_cast<size_t>(rule)] == 0) return;
+    collect({m_validity.data(), m_assignment.rule.data(), static_cast<size_t>(m_assignment.width)}, tile, rule, pixels);
 }
 
 void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch, const BatchNeeds& needs) const {
     batch.clear();
     list(tile, rule, batch.pixel);
-    if (batch.size() > 0) fill(batch, needs);
+    fill(batch, needs);
 }
 
 void Surfaces::fill(SurfaceBatch& batch, const BatchNeeds& needs) const {

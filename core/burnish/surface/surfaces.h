@@ -31,9 +31,9 @@ public:
     const std::vector<size_t>& rule_counts() const { return m_counts.rule; }
     /// Where the tangents came from in the end: never `automatic`.
     TangentSource tangent_source() const { return m_settings.tangent; }
-    /// Adds the valid pixels of `tile` assigned to `rule` to a list, row-major.
+    /// Appends the valid pixels of `tile` assigned to `rule`, row by row.
     void list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const;
-    /// Collects the valid pixels of `tile` assigned to `rule` into `batch` (cleared first).
+    /// Collects them into `batch` (cleared first).
     void gather(const Window& tile, int rule, SurfaceBatch& batch, const BatchNeeds& needs = {}) const;
     /// Fills a batch that names valid pixels and holds nothing else yet.
     void fill(SurfaceBatch& batch, const BatchNeeds& needs = {}) const;
@@ -57,7 +57,7 @@ private:
     SurfaceSettings m_settings;
     Vec3f m_eye;
     Layers m_layers;
-    std::vector<Validity> m_validity;
+    PixelVector<Validity> m_validity;
     PixelCounts m_counts;
 };
 
