@@ -34,6 +34,9 @@
 #include <burnish/light/environment.h>
 
 #include <burnish/frequency/bandwidth_buffer.h>
+#include <burnish/frequency/light_bandwidth.h>
+#include <burnish/frequency/lobe_bandwidth.h>
+#include <burnish/frequency/local_bandwidth.h>
 #include <burnish/frequency/operators.h>
 
 #include <burnish/shading/dense.h>

@@ -72,9 +72,29 @@ TEST(LobeBandwidth, WindowsLieAroundTheLobe) {
 TEST(LobeBandwidth, FollowsTheNarrowerWidth) {
     const LobeBandwidth crossed(lobe(ModelId::ggx, 0.3f, 0.03f)), thin(lobe(ModelId::ggx, 0.03f, 0.03f)),
         wide(lobe(ModelId::ggx, 0.3f, 0.3f));
-    EXPECT_EQ(crossed.views().size(), 256u);
+    EXPECT_EQ(crossed.views().size(), 16u * 5u);
     EXPECT_NEAR(octaves(crossed.nu_rho(1.0f), thin.nu_rho(1.0f)), 0.0f, 0.5f);
     EXPECT_GT(octaves(crossed.nu_rho(1.0f), wide.nu_rho(1.0f)), 2.5f);
+}
+
+TEST(LobeBandwidth, SymmetriesSpareViews) {
+    const LobeParameters p = lobe(ModelId::ggx, 0.2f, 0.04f);
+    const LobeFunction f = [&](const Vec3f& wo, const Vec3f& wi) {
+        return visit_lobe(p, [&](const auto& own) { return luminance(own.eval(wo, wi)); });
+    };
+    const LobeBandwidth quarter(f, LobeSymmetry::orthotropic), whole(f, LobeSymmetry::none);
+    EXPECT_EQ(whole.views().size(), 256u);
+    for (float phi = -3.1f; phi < 3.1f; phi += 0.37f) {
+        const Vec3f wo(0.6f * std::cos(phi), 0.6f * std::sin(phi), 0.8f);
+        float quarter_sum = 0, whole_sum = 0;
+        for (int i = 0; i < 49; ++i) {
+            const float dx = 0.03f * static_cast<float>(i % 7 - 3), dy = 0.03f * static_cast<float>(i / 7 - 3);
+            const Vec3f wi = Vec3f(-wo.x + dx, -wo.y + dy, wo.z).normalized();
+            quarter_sum += quarter.at(wo, wi), whole_sum += whole.at(wo, wi);
+        }
+        EXPECT_NEAR(octaves(quarter_sum, whole_sum), 0.0f, 0.25f) << wo;
+    }
+    EXPECT_NEAR(octaves(quarter.nu_rho(0.8f), whole.nu_rho(0.8f)), 0.0f, 0.05f);
 }
 
 TEST(LobeBandwidth, IsTheSameThroughAThinSheet) {
