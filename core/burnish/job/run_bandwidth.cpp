@@ -28,7 +28,9 @@ public:
         report.is_skipped = m_job.output.skip_existing && is_up_to_date(task);
         if (report.is_skipped) return;
         progress.report("reading", 0.0f);
-        const AovFrame frame = read_job_frame(m_job, m_wardrobe, task.aovs, task.camera);
+        const bool has_fine = !task.fine_aovs.empty();
+        const AovFrame frame = read_job_frame(m_job, m_wardrobe, has_fine ? task.fine_aovs : task.aovs, task.camera,
+                                              has_fine ? FramePart::surfaces : FramePart::whole);
         prepare(frame.renderer);
         NamedValues<double> seconds;
         const BandwidthLayers layers =

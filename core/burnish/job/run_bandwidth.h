@@ -27,7 +27,8 @@ struct BandwidthReport {
 };
 
 /// Writes Job::output.file (and .preview, see level_picture) for every frame, whole files or none, and .report at the end. Frames are
-/// in memory whole; those that fail end the run or are passed over, as the job says. Throws as `run` does.
+/// in memory whole; where there are finer AOVs, it is these that are predicted. Those that fail end the run or are passed over, as
+/// the job says. Throws as `run` does.
 std::vector<BandwidthReport> run_bandwidth(const Job& job, const Progress& progress);
 
 /// "out.exr  640x360  0.31 s  50000 pixels, of which grids take 8.1 %: level 0 5.1 %, 1 7.0 %, 2 ..."
