@@ -34,7 +34,7 @@ void take_alpha(const AovFrame& frame, Cover& cover) {
 void resolve(const Resolver& resolver, const PixelVector<float>& coverage, ShadedFrame& shaded) {
     if (shaded.overlay.empty()) return;
     shaded.overlay = resolver.mean(shaded.overlay, coverage);
-    shaded.samples = resolver.sum(shaded.samples);
+    if (!shaded.samples.empty()) shaded.samples = resolver.sum(shaded.samples);
     // The most it can be: as if all samples erred the same way.
     if (!shaded.standard_error.empty()) shaded.standard_error = resolver.mean(shaded.standard_error, coverage);
 }
@@ -69,7 +69,7 @@ Cover resolve_samples(const AntialiasSettings& settings, const AovFrame& frame, 
         cover.kd = resolver.mean(kd_image(assignment, kd), surface_cover(surfaces, assignment.coverage.size()));
     resolve(resolver, assignment.coverage, result.shaded);
     resolve(resolver, assignment.coverage, old);
-    result.validity = resolver.least(result.validity, static_cast<float>(Validity::background));
+    if (!result.validity.empty()) result.validity = resolver.least(result.validity, static_cast<float>(Validity::background));
     return cover;
 }
 

@@ -124,19 +124,20 @@ TEST(Composite, RowsOfAnyLengthAreTheSameBitsWithEveryInstructionSet) {
     };
     const std::vector<float> shaded = values(3 * kPixels), old = values(3 * kPixels), base = values(3 * kPixels);
     const std::vector<float> removed = values(3 * kPixels), coverage = values(kPixels), mask = values(kPixels);
-    const std::vector<float> alpha = values(kPixels);
+    const std::vector<float> replaced = values(kPixels), alpha = values(kPixels);
     const Color3f tint(0.9f, 0.7f, 1.3f);
     constexpr float kGain = 1.7f;
     burnish_test::for_each_target([&] {
         std::vector<float> overlay = shaded, beauty(4 * kPixels);
-        add_overlay({overlay.data(), old.data(), base.data(), removed.data(), coverage.data(), mask.data(), alpha.data(),
-                     beauty.data()},
+        add_overlay({overlay.data(), old.data(), base.data(), removed.data(), coverage.data(), replaced.data(), mask.data(),
+                     alpha.data(), beauty.data()},
                     tint, kGain, kPixels);
         for (size_t i = 0; i < kPixels; ++i) {
-            const volatile float weight = coverage[i] * mask[i];  // volatile: rounded after each step
+            const volatile float weight = coverage[i] * mask[i],
+                                 share = replaced[i] * mask[i];  // volatile: rounded after each step
             for (size_t k = 0; k < 3; ++k) {
                 const volatile float gained = kGain * weight, factor = tint[static_cast<int>(k)] * gained;
-                const volatile float added = (shaded[3 * i + k] - old[3 * i + k]) * factor, taken = removed[3 * i + k] * weight;
+                const volatile float added = (shaded[3 * i + k] - old[3 * i + k]) * factor, taken = removed[3 * i + k] * share;
                 const volatile float sum = base[3 * i + k] + added;
                 EXPECT_EQ(overlay[3 * i + k], added) << i;
                 EXPECT_EQ(beauty[4 * i + k], sum - taken) << i;
