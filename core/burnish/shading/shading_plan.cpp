@@ -104,8 +104,10 @@ struct ShadingPlan::Planner {
             if (own[i].reach != kUnknown) continue;
             for (int side = 0; side < 2; ++side, ++k) {
                 float change = (neighbours.wo[k] - centres.wo[i]).length();
-                if (const float length = predictions[i].length; length > 0)
+                if (const float length = predictions[i].length; length > 0) {
                     change += length * (neighbours.t[k] - centres.t[i]).length();
+                    if (!centres.rotation.empty()) change += length * std::fabs(neighbours.rotation[k] - centres.rotation[i]);
+                }
                 own[i].others = std::max(own[i].others, change);
             }
         }
