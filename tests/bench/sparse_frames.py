@@ -67,7 +67,7 @@ def print_flicker(options):
     jobs = [cycles.job_of(options.folder, name) | {"camera": options.folder / f"{name}.json"} for name in names]
     dense = [burnish.composite(**job)["overlay"] for job in jobs]
     sparse = [burnish.composite(**job, density="sparse")["overlay"] for job in jobs]
-    truth = [burnish.composite(**job, estimator="reference", tolerance=0.0, max_samples=options.samples)["overlay"]
+    truth = [burnish.composite(**job, estimator="reference", tolerance=1e-6, max_samples=options.samples)["overlay"]
              for job in jobs]
     indices = [material_index(job) for job in jobs]
     print("object,dense,sparse,ratio,sparse_against_dense")

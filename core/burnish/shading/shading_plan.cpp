@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-constexpr float kCellPeriods = 0.19f;  // of a display signal from black to white, across a cell; by calibration
+constexpr float kCellPeriods = 0.17f;  // of a display signal from black to white, across a cell; by calibration
 constexpr float kDiagonal = 0.7071f;   // from a cell's centre to its corner, in sides
 constexpr int kTop = CellTurning::kLevels - 1;
 constexpr int kSmallestAlone = 1;  // level of 4 pixels: at edges smaller cells are not worth a prediction of their own
