@@ -83,6 +83,7 @@ float level(float low, float high, float share) { return low + (high - low) * sh
 
 const std::map<std::string_view, Maker> kMakers{
     {"noise", [](const HardSettings& s) { return bumped(s, noisy_slope); }},
+    {"noise_faint", [](const HardSettings& s) { return bumped(s, faint_slope); }},
     {"bumps", [](const HardSettings& s) { return bumped(s, bumpy_slope); }},
     {"waves", [](const HardSettings& s) { return bumped(s, wavy_slope); }},
     {"tiles", [](const HardSettings& s) { return bumped(s, tiled_slope); }},
@@ -134,6 +135,11 @@ const std::map<std::string_view, Maker> kMakers{
      [](const HardSettings& s) {
          return layered(s, Role::tint, &PerPixel::tint, 3,
                         [](int x, int y, float* out) { std::fill_n(out, 3, level(0.65f, 1, waves(x, y, 64))); });
+     }},
+    {"tint_slow",
+     [](const HardSettings& s) {
+         return layered(s, Role::tint, &PerPixel::tint, 3,
+                        [](int x, int y, float* out) { std::fill_n(out, 3, level(0.86f, 1, waves(x, y, 32))); });
      }},
     {"tint_noise",
      [](const HardSettings& s) {

@@ -45,6 +45,8 @@ float waves(int x, int y, float period) {
 
 Vec2f noisy_slope(int x, int y) { return {0.1f * noise(x, y) - 0.05f, 0.1f * noise(x + 7919, y) - 0.05f}; }
 
+Vec2f faint_slope(int x, int y) { return noisy_slope(x, y) * 0.2f; }
+
 Vec2f bumpy_slope(int x, int y) {
     const float u = kTurn * static_cast<float>(x) / 12, v = kTurn * static_cast<float>(y) / 12;
     return {0.3f * std::cos(u) * std::sin(v), 0.3f * std::sin(u) * std::cos(v)};

@@ -10,9 +10,10 @@ float noise(int x, int y);
 float ramp(int x);
 float waves(int x, int y, float period);
 
-/// Slopes to tilt normals by: white noise, 0.05; smooth bumps of 12 pixels, 0.3; waves of 200 pixels, 0.2; flat tiles of 24
+/// Slopes to tilt normals by: white noise, 0.05 and 0.01; smooth bumps of 12 pixels, 0.3; waves of 200 pixels, 0.2; flat tiles of 24
 /// pixels with bevels of two.
 Vec2f noisy_slope(int x, int y);
+Vec2f faint_slope(int x, int y);
 Vec2f bumpy_slope(int x, int y);
 Vec2f wavy_slope(int x, int y);
 Vec2f tiled_slope(int x, int y);

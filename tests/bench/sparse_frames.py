@@ -62,13 +62,14 @@ def print_sweep(options):
 
 
 def print_flicker(options):
-    """Of dense and sparse against the reference, object by object."""
+    """Of dense and sparse against the truth, object by object."""
     names = [f"anim_{frame:04d}" for frame in range(1, options.frames + 1)]
     jobs = [cycles.job_of(options.folder, name) | {"camera": options.folder / f"{name}.json"} for name in names]
+    jobs = [job | {"estimator": options.estimator} for job in jobs]
     dense = [burnish.composite(**job)["overlay"] for job in jobs]
-    sparse = [burnish.composite(**job, density="sparse")["overlay"] for job in jobs]
-    truth = [burnish.composite(**job, estimator="reference", tolerance=1e-6, max_samples=options.samples)["overlay"]
-             for job in jobs]
+    sparse = [burnish.composite(**job, density="sparse", safety=options.safety)["overlay"] for job in jobs]
+    exact = {"estimator": options.truth, "samples": options.samples, "max_samples": options.samples, "tolerance": 1e-6}
+    truth = [burnish.composite(**job | exact)["overlay"] for job in jobs]
     indices = [material_index(job) for job in jobs]
     print("object,dense,sparse,ratio,sparse_against_dense")
     for rule in jobs[0]["assign"]:
@@ -115,7 +116,11 @@ def main():
         command.add_argument("folder", type=pathlib.Path)
         if name == "flicker":
             command.add_argument("--frames", type=int, default=8)
-            command.add_argument("--samples", type=int, default=1024, help="of the reference")
+            command.add_argument("--samples", type=int, default=1024, help="of the truth")
+            command.add_argument("--estimator", default="fitted")
+            command.add_argument("--safety", type=float, default=1)
+            command.add_argument("--truth", choices=("reference", "filtered_importance"), default="filtered_importance",
+                                 help="the latter is smoothed a little, but free of noise [default]")
             continue
         command.add_argument("name")
         if name == "sweep":
