@@ -74,6 +74,7 @@ void add_quality(std::vector<Setting>& table) {
                                           {{"fitted", EstimatorKind::fitted},
                                            {"regular", EstimatorKind::regular},
                                            {"filtered_importance", EstimatorKind::filtered_importance},
+                                           {"preconvolved", EstimatorKind::preconvolved},
                                            {"split_sum", EstimatorKind::split_sum},
                                            {"reference", EstimatorKind::reference}},
                                           "how the reflection is integrated; reference is slow and measures its own error"));

@@ -3,9 +3,10 @@
 
 namespace burnish {
 
-/// `fitted`: a few Gaussians fitted to the lobe, but `regular` where those do not do (see MaterialShader); `regular`: the sources' patterns; `filtered_importance`: Colbert & Krivanek;
+/// `fitted`: a few Gaussians fitted to the lobe, but `regular` where those do not do (see MaterialShader); `regular`: the
+/// sources' patterns; `filtered_importance`: Colbert & Krivanek; `preconvolved`: Bandwidth IV.3.5;
 /// `split_sum`: one prefiltered lookup, as real-time engines do; `reference`: converges to the exact integral.
-enum class EstimatorKind { fitted, regular, filtered_importance, split_sum, reference };
+enum class EstimatorKind { fitted, regular, filtered_importance, preconvolved, split_sum, reference };
 
 /// Shapes of the `regular` pattern: `circles` = equally spaced circles (Regular 5), `offset_circles` = the same without a
 /// sample at the centre, `ring` = 1 + one ring, `line` = along the elongation, `tuned` = fitted to lights, 3 to 30
@@ -32,8 +33,8 @@ inline constexpr int kMostFitted = 16;  // lookups: beyond it a fit gains nothin
 /// Lookups per lobe and pixel of a few-sample estimator.
 inline int lookup_count(const EstimatorSettings& settings) {
     if (settings.kind == EstimatorKind::split_sum) return 1;
-    const bool fitted = settings.kind == EstimatorKind::fitted;
-    const int count = settings.samples > 0 ? settings.samples : fitted ? 6 : 19;
+    const bool fitted = settings.kind == EstimatorKind::fitted, preconvolved = settings.kind == EstimatorKind::preconvolved;
+    const int count = settings.samples > 0 ? settings.samples : fitted ? 6 : preconvolved ? 32 : 19;
     return fitted && count > kMostFitted ? kMostFitted : count;
 }
 

@@ -50,8 +50,13 @@ struct MaterialShader::LobeShader {
     }
 
     void prepare_rule() {
-        stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
-        rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
+        if (settings.kind == EstimatorKind::preconvolved) {
+            stack = light.gaussian_stack().stack();
+            rule.emplace(lobe, settings, [this](float sigma) { return light.gaussian_stack().level(sigma); });
+        } else {
+            stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
+            rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
+        }
         const int taps = rule->tap_count(lobe.mx, lobe.my);
         if (TapTable::covers(lobe, taps)) table = TapTable(lobe, taps, *rule);
     }
