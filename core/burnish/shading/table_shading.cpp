@@ -52,7 +52,9 @@ HWY_INLINE size_t store_taps(const V3& wi, VF level, const V3& weight, size_t co
     const auto store = [&](const V3& w, VF l, const V3& rgb) {
         hn::StoreU(w.x, d, taps.x + at), hn::StoreU(w.y, d, taps.y + at), hn::StoreU(w.z, d, taps.z + at);
         hn::StoreU(l, d, taps.level + at);
-        hn::StoreInterleaved4(rgb.x, rgb.y, rgb.z, hn::Zero(d), d, queue.weight[at]);
+        const VF y =
+            hn::MulAdd(constant(0.2126f), rgb.x, hn::MulAdd(constant(0.7152f), rgb.y, hn::Mul(constant(0.0722f), rgb.z)));
+        hn::StoreInterleaved4(rgb.x, rgb.y, rgb.z, y, d, queue.weight[at]);
     };
     const auto weighs = hn::Ne(hn::Or(hn::Or(weight.x, weight.y), weight.z), hn::Zero(d));
     const size_t kept = hn::CountTrue(d, weighs);
@@ -96,7 +98,9 @@ HWY_INLINE Color3f pixel_scale(const LobeParameters& lobe, const SurfaceBatch& b
 
 /// What a block of pixels comes to.
 struct BlockSums {
+    bool of_weights;  // whether `weight` is asked for
     Color3f light[PixelBlock::kPixels];
+    float square[PixelBlock::kPixels], weight[PixelBlock::kPixels];  // luminance squared, and the lookups' weights
     size_t lookups[PixelBlock::kPixels];
 };
 
@@ -114,6 +118,8 @@ void add_taps(const TableShading& shading, const PixelBlock& block, size_t begin
         float rgba[4];
         queued_sum(shading.stack.layout(), queue, i, ends[p] - i, rgba);
         sums.light[p] += Color3f(rgba[0], rgba[1], rgba[2]);
+        sums.square[p] += rgba[3];
+        for (size_t tap = i; sums.of_weights && tap < ends[p]; ++tap) sums.weight[p] += queue.weight[tap][3];
         sums.lookups[p] += ends[p] - i;
     }
 }
@@ -123,18 +129,22 @@ void shade_block(const TableShading& shading, const PixelBlock& block, size_t co
                  BlockSums& sums) {
     const size_t all = static_cast<size_t>(shading.table.tap_count());
     const size_t at_once = std::max<size_t>(TapQueue::kCapacity / all, 1);
+    const bool of_weights = sums.of_weights;
     sums = {};
+    sums.of_weights = of_weights;
     for (size_t begin = 0; begin < count; begin += at_once)
         for (size_t tap = 0; tap < all; tap += TapQueue::kCapacity)
             add_taps(shading, block, begin, std::min(begin + at_once, count), tap, std::min(all - tap, TapQueue::kCapacity),
                      taps, queue, sums);
 }
 
-void shade_batch(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples) {
+void shade_batch(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples,
+                 std::span<LobeMoments> moments) {
     PixelBlock block;
     PlacedTaps taps;
     TapQueue queue;
-    BlockSums sums;
+    BlockSums sums{};
+    sums.of_weights = !moments.empty();
     const Color3f gain = shading.lobe.tint * shading.lobe.strength * shading.gain;
     for (size_t begin = 0; begin < batch.size(); begin += PixelBlock::kPixels) {
         const size_t count = std::min(PixelBlock::kPixels, batch.size() - begin);
@@ -143,6 +153,7 @@ void shade_batch(const TableShading& shading, const SurfaceBatch& batch, std::sp
         for (size_t i = 0; i < count; ++i) {
             overlay[begin + i] += sums.light[i] * gain * pixel_scale(shading.lobe, batch, begin + i);
             samples[begin + i] += static_cast<float>(sums.lookups[i]);
+            if (!moments.empty()) moments[begin + i] = {luminance(sums.light[i]), sums.square[i], sums.weight[i]};
         }
     }
 }
@@ -157,8 +168,8 @@ namespace burnish {
 HWY_EXPORT(shade_batch);
 
 void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay,
-                       std::span<float> samples) {
-    HWY_DYNAMIC_DISPATCH(shade_batch)(shading, batch, overlay, samples);
+                       std::span<float> samples, std::span<LobeMoments> moments) {
+    HWY_DYNAMIC_DISPATCH(shade_batch)(shading, batch, overlay, samples, moments);
 }
 
 }  // namespace burnish
