@@ -14,7 +14,7 @@ from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, Lobe, __version__
+from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
 from . import _core, _documentation
 from .errors import (
     BadArgument,
@@ -39,7 +39,9 @@ __all__ = [
     "ColorSpaceError",
     "Environment",
     "Error",
+    "LightBandwidth",
     "Lobe",
+    "LobeBandwidth",
     "MissingChannel",
     "ReadFailed",
     "SizeMismatch",
@@ -48,6 +50,7 @@ __all__ = [
     "compare",
     "composite",
     "info",
+    "local_bandwidth",
     "models",
     "presets",
     "roles",
@@ -258,6 +261,45 @@ def check_energy(material: str | dict) -> dict[str, float]:
         The material is unknown or has a field out of range.
     """
     return _core.check_energy(material)
+
+
+def local_bandwidth(
+    image: _Array,
+    rule: str = "energy",
+    *,
+    quantile: float = 0.95,
+    epsilon: float = 0.01,
+    contrast: float = 0.005,
+    surround: str = "zero",
+) -> _Array:
+    """How fast an image varies around each of its pixels, found by wavelets.
+
+    Parameters
+    ----------
+    image : ndarray, shape (height, width)
+        One channel.
+    rule : str
+        "energy": what holds `quantile` of the local energy; "maxima": what is above `epsilon` of the largest coefficient.
+    quantile, epsilon : float
+        In (0, 1), see `rule`.
+    contrast : float
+        Variation of this size, relative to the local value, competes with the image's own.
+    surround : str
+        What is around the image: "zero", "repeat" (itself) or "latlong" (itself, over the poles above and below).
+
+    Returns
+    -------
+    ndarray, shape (height, width), float32
+        Cycles per sample, in [0, 0.5].
+
+    Raises
+    ------
+    SizeMismatch
+        The image has more than one channel.
+    BadArgument
+        A number is out of range, or a name unknown.
+    """
+    return _core.local_bandwidth(image, rule, quantile, epsilon, contrast, surround)
 
 
 def info(path: _Path) -> dict[str, _Any]:
