@@ -22,6 +22,7 @@
 
 #include <burnish/surface/surfaces.h>
 
+#include <burnish/sampling/density.h>
 #include <burnish/sampling/estimator.h>
 
 #include <burnish/material/albedo.h>
@@ -32,6 +33,7 @@
 #include <burnish/light/environment.h>
 
 #include <burnish/shading/dense.h>
+#include <burnish/shading/sparse.h>
 
 #include <burnish/composite/composite.h>
 

@@ -62,6 +62,7 @@ py::dict composite_frame(const py::object& arrays, const py::object& light, cons
                          const py::object& callback) {
     Job job;
     set_settings(job, to_json(settings), "composite");
+    job.output.diagnostics = true;
     std::optional<Assignment> assignment;
     if (!masks.is_none()) assignment = masks_from_python(job, masks);
     PythonProgress python_progress(callback);

@@ -94,7 +94,7 @@ public:
 
 private:
     ShadedFrame shade(const Environment& light, const EstimatorSettings& settings) const {
-        return shade_dense(m_surfaces, m_assignment, {MaterialShader(m_material, light, settings)}, {});
+        return shade_dense(m_surfaces, m_assignment, {MaterialShader(m_material, light, settings)}, {}, true);
     }
 
     void sweep_estimator(const std::string& name, const LobeParameters& lobe) const {

@@ -215,19 +215,18 @@ private:
         const TapRule rule(lobe, few, [&](float omega) { return light.pyramid().level(omega) + few.level_bias; });
         const TapTable table(lobe, rule.tap_count(lobe.mx, lobe.my), rule);
         std::vector<Color3f> overlay(m_batch.size());
-        std::vector<float> samples(m_batch.size());
-        std::vector<LobeMoments> moments(m_batch.size());
+        std::vector<float> samples(m_batch.size()), square(m_batch.size()), weight(m_batch.size());
         const auto& stack = light.pyramid().stack();
         add_table_shading({lobe, table, stack, CubePyramid::kDistortion, light.world_to_light(), light.gain()}, m_batch,
-                          overlay, samples, moments);
+                          {overlay, samples, square, weight});
         const LightBandwidth nu_a(light);
         const LobeBandwidth nu_rho(lobe);
         std::vector<Variances> result(m_batch.size());
         for_each_index(static_cast<int>(m_batch.size()), [&](int i) {
             const ShadingPoint point = shading_point(m_batch, i, lobe, light.world_to_light());
-            const LobeMoments& own = moments[i];
+            const float mean = luminance(overlay[i]);
             result[i] = brute_force(light, lobe, point);
-            result[i].moments = own.relative_variance() * own.mean * own.mean;
+            result[i].moments = relative_variance(mean, square[i], weight[i]) * mean * mean;
             add_bandwidth_sums(light, lobe, point, nu_a, nu_rho, result[i]);
         });
         return result;

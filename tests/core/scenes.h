@@ -48,6 +48,24 @@ inline AovFrame sphere_frame(int size, float distance = 6.0f) {
     return frame;
 }
 
+/// The same sphere, `radius` pixels large, in the middle of a width x height frame.
+inline AovFrame sphere_in_frame(int width, int height, int radius) {
+    const int size = 2 * radius, left = (width - size) / 2, top = (height - size) / 2;
+    const AovFrame sphere = sphere_frame(size);
+    AovFrame frame;
+    frame.file = "sphere";
+    frame.data_window = frame.display_window = {0, 0, width, height};
+    for (const Role role : {Role::position, Role::normal}) {
+        Image layer(width, height, 3);
+        for (int y = std::max(0, -top); y < std::min(size, height - top); ++y)
+            std::copy_n(sphere.layer(role).at(0, y), 3 * size, layer.at(left, top + y));
+        frame.layers[role] = std::move(layer);
+    }
+    frame.camera = sphere.camera;
+    frame.camera->right *= static_cast<float>(width) / size, frame.camera->up *= static_cast<float>(height) / size;
+    return frame;
+}
+
 /// A gently waved sheet that covers every pixel of a width x height frame, seen from (0, 0, 3); normals within 30 degrees of +Z.
 inline AovFrame covered_frame(int width, int height) {
     AovFrame frame;

@@ -21,15 +21,15 @@ void loop(int count, const Work& work) {
 }  // namespace
 
 void for_each_tile(int width, int height, const Progress& progress, const std::string& stage,
-                   const std::function<void(const Window& tile)>& work) {
-    const int columns = (width + kTileSize - 1) / kTileSize, rows = (height + kTileSize - 1) / kTileSize;
+                   const std::function<void(const Window& tile)>& work, int size) {
+    const int columns = (width + size - 1) / size, rows = (height + size - 1) / size;
     const int count = columns * rows;
     std::mutex reporting;
     int done = 0;
     progress.report(stage, 0.0f);
     loop(count, [&](int index) {
-        const int x = index % columns * kTileSize, y = index / columns * kTileSize;
-        work({x, y, std::min(kTileSize, width - x), std::min(kTileSize, height - y)});
+        const int x = index % columns * size, y = index / columns * size;
+        work({x, y, std::min(size, width - x), std::min(size, height - y)});
         const std::lock_guard lock(reporting);
         progress.report(stage, static_cast<float>(++done) / static_cast<float>(count));
     });

@@ -12,10 +12,10 @@ namespace burnish {
 
 inline constexpr int kTileSize = 32;  // pixels; a tile's batches stay in the second-level cache
 
-/// Calls `work(tile)` for every tile of a width x height image, in parallel; reports progress under `stage`.
+/// Calls `work(tile)` for every tile of `size` pixels a side of a width x height image, in parallel; reports progress under `stage`.
 /// Throws what `work` throws, and Error(cancelled) when the progress callback asks to stop.
 void for_each_tile(int width, int height, const Progress& progress, const std::string& stage,
-                   const std::function<void(const Window& tile)>& work);
+                   const std::function<void(const Window& tile)>& work, int size = kTileSize);
 
 /// Calls `work(i)` for i in [0, count) in parallel, without progress: for building tables and pyramids.
 void for_each_index(int count, const std::function<void(int)>& work);

@@ -2,8 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
-
-#include <cmath>
+#include <burnish/composite/add_overlay.h>
 
 namespace burnish {
 namespace {
@@ -30,7 +29,7 @@ void for_each_pixel(const Image& image, const Work& work) {
 /// factor * (direct + indirect), absent layers counting as 0 and an absent factor as 1.
 Image modulated_sum(const Image* direct, const Image* indirect, const Image* factor) {
     const Image& first = direct ? *direct : *indirect;
-    Image sum(first.width, first.height, 3);
+    Image sum = Image::unset(first.width, first.height, 3);
     for_each_pixel(sum, [&](size_t i) {
         Color3f c(0, 0, 0);
         if (direct) c += color(*direct, i);
@@ -59,11 +58,7 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
     return diffuse;
 }
 
-/// What one pixel's overlay is multiplied with: coverage keeps edges premultiplied, the mask is the user's.
-float pixel_weight(const Image* layer, const Assignment& assignment, size_t pixel) {
-    const float mask = layer ? *layer->at(pixel) : 1.0f;
-    return std::isfinite(mask) ? assignment.coverage[pixel] * mask : 0.0f;
-}
+const float* row_of(const Image* image, int y) { return image ? image->at(0, y) : nullptr; }
 
 }  // namespace
 
@@ -91,18 +86,19 @@ Composite composite(const AovFrame& frame, const Assignment& assignment, Image o
     if (!beauty) out.diffuse = diffuse_part(frame, assignment, kd);
     const Image& base = beauty ? *beauty : out.diffuse;
     const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
-    out.beauty = Image(overlay.width, overlay.height, 4);
+    out.beauty = Image::unset(overlay.width, overlay.height, 4);
     out.overlay = std::move(overlay);
-    for_each_pixel(out.overlay, [&](size_t i) {
-        const float weight = pixel_weight(mask, assignment, i);
-        Color3f added = color(out.overlay, i);
-        if (settings.mode == CompositeMode::difference) added -= color(*old_overlay, i);
-        added *= settings.tint * (settings.gain * weight);
-        Color3f sum = color(base, i) + added;
-        if (settings.mode == CompositeMode::replace) sum -= color(removed, i) * weight;
-        store(out.overlay, i, added);
-        store(out.beauty, i, sum);
-        out.beauty.at(i)[3] = alpha ? *alpha->at(i) : 1.0f;
+    for_each_index(out.overlay.height, [&](int y) {
+        const size_t first = static_cast<size_t>(y) * out.overlay.width;
+        const OverlayRow row{.overlay = out.overlay.at(first),
+                             .old_overlay = settings.mode == CompositeMode::difference ? row_of(old_overlay, y) : nullptr,
+                             .base = base.at(first),
+                             .removed = removed.empty() ? nullptr : removed.at(first),
+                             .coverage = &assignment.coverage[first],
+                             .mask = row_of(mask, y),
+                             .alpha = row_of(alpha, y),
+                             .beauty = out.beauty.at(first)};
+        add_overlay(row, settings.tint, settings.gain, static_cast<size_t>(out.overlay.width));
     });
     return out;
 }

@@ -3,6 +3,8 @@
 #include <burnish/input/assign.h>
 #include <burnish/input/cryptomatte.h>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -78,10 +80,16 @@ struct Selector {
     NamedObjects objects;
     std::vector<std::pair<const Image*, float>> indices;  // layers, and the index each must show
 
-    float share(size_t pixel) const {
-        for (const auto& [layer, wanted] : indices)
-            if (!(std::fabs(*layer->at(pixel) - wanted) < 0.5f)) return 0;
-        return objects.cryptomatte ? cryptomatte_coverage(*objects.cryptomatte, objects.ids, pixel) : 1.0f;
+    /// Share of each pixel from `first` on.
+    void shares(size_t first, std::vector<float>& share) const {
+        std::fill(share.begin(), share.end(), 1.0f);
+        for (const auto& [layer, wanted] : indices) {
+            const float* index = layer->at(first);
+            for (size_t i = 0; i < share.size(); ++i) share[i] = std::fabs(index[i] - wanted) < 0.5f ? share[i] : 0.0f;
+        }
+        if (!objects.cryptomatte) return;
+        for (size_t i = 0; i < share.size(); ++i)
+            if (share[i] > 0) share[i] = cryptomatte_coverage(*objects.cryptomatte, objects.ids, first + i);
     }
 };
 
@@ -99,15 +107,50 @@ std::vector<Selector> selectors_of(const AovFrame& frame, const std::vector<Assi
     return selectors;
 }
 
-/// The rule that covers most of a pixel, the last one first: what it takes is gone for the others.
-void assign_pixel(const std::vector<Selector>& selectors, size_t pixel, Assignment& result) {
-    float left = 1.0f;
-    for (size_t r = selectors.size(); r-- > 0 && left > 0;) {
-        const float taken = std::min(selectors[r].share(pixel), left);
-        left -= taken;
-        if (!(taken > result.coverage[pixel])) continue;
-        result.coverage[pixel] = taken;
-        result.rule[pixel] = static_cast<int16_t>(r);
+/// A row at work: what rules take and leave of its pixels.
+struct RowShares {
+    explicit RowShares(int width)
+        : left(static_cast<size_t>(width)), share(left.size()), most(left.size()), rule(left.size()) {}
+
+    std::vector<float> left, share, most;
+    std::vector<int32_t> rule;
+};
+
+/// Gives each pixel from `first` on the rule that covers most of it, the last one first: what it takes is gone for the others.
+void assign_row(const std::vector<Selector>& selectors, size_t first, RowShares& row, Assignment& result) {
+    const size_t count = row.left.size();
+    std::fill(row.left.begin(), row.left.end(), 1.0f), std::fill(row.most.begin(), row.most.end(), 0.0f);
+    std::fill(row.rule.begin(), row.rule.end(), -1);
+    float *left = row.left.data(), *most = row.most.data();
+    int32_t* rule = row.rule.data();
+    for (size_t r = selectors.size(); r-- > 0;) {
+        selectors[r].shares(first, row.share);
+        for (size_t i = 0; i < count; ++i) {
+            const float taken = std::min(row.share[i], left[i]);
+            left[i] -= taken;
+            rule[i] = taken > most[i] ? static_cast<int32_t>(r) : rule[i];
+            most[i] = std::max(taken, most[i]);
+        }
+    }
+    std::copy(row.most.begin(), row.most.end(), result.coverage.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy(row.rule.begin(), row.rule.end(), result.rule.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+/// Whether all values of a block are the same.
+bool is_uniform(const int32_t* rules, size_t count) {
+    int32_t differences = 0;
+    for (size_t i = 0; i < count; ++i) differences |= rules[i] ^ rules[0];
+    return differences == 0;
+}
+
+/// Adds the pixels of each rule, block by block: neighbours mostly wear the same.
+void count_rules(const std::vector<int32_t>& rules, std::vector<size_t>& counts) {
+    constexpr size_t kBlock = 64;
+    for (size_t begin = 0; begin < rules.size(); begin += kBlock) {
+        const size_t end = std::min(begin + kBlock, rules.size()),
+                     step = is_uniform(&rules[begin], end - begin) ? end - begin : 1;
+        for (size_t i = begin; i < end; i += step)
+            if (rules[i] >= 0) counts[static_cast<size_t>(rules[i])] += step;
     }
 }
 
@@ -118,15 +161,18 @@ Assignment assign_rules(const AovFrame& frame, const std::vector<AssignRule>& ru
         throw Error(ErrorCode::bad_argument, "assign has " + std::to_string(rules.size()) + " rules; at most 32767");
     const int width = frame.data_window.width, height = frame.data_window.height;
     const size_t pixels = static_cast<size_t>(width) * height;
-    Assignment result{width, height, std::vector<int16_t>(pixels, -1), std::vector<float>(pixels, 0.0f), {}};
+    Assignment result{width, height, {}, {}, std::vector<size_t>(rules.size())};
+    result.rule.resize(pixels), result.coverage.resize(pixels);
     const std::vector<Selector> selectors = selectors_of(frame, rules);
+    tbb::enumerable_thread_specific<RowShares> shares([&] { return RowShares(width); });
+    tbb::enumerable_thread_specific<std::vector<size_t>> counts(result.counts);
     for_each_index(height, [&](int y) {
-        const size_t row = static_cast<size_t>(y) * width;
-        for (size_t pixel = row; pixel < row + width; ++pixel) assign_pixel(selectors, pixel, result);
+        RowShares& row = shares.local();
+        assign_row(selectors, static_cast<size_t>(y) * width, row, result);
+        count_rules(row.rule, counts.local());
     });
-    result.counts.assign(rules.size(), 0);
-    for (int16_t r : result.rule)
-        if (r >= 0) ++result.counts[static_cast<size_t>(r)];
+    for (const std::vector<size_t>& part : counts)
+        for (size_t r = 0; r < part.size(); ++r) result.counts[r] += part[r];
     return result;
 }
 

@@ -21,9 +21,9 @@ struct AssignRule {
 /// Per pixel: index into the list of rules (-1 = none) and the share of the pixel it covers, in [0, 1].
 struct Assignment {
     int width = 0, height = 0;
-    std::vector<int16_t> rule;
-    std::vector<float> coverage;
-    std::vector<size_t> counts;  // pixels per rule
+    PixelVector<int16_t> rule;
+    PixelVector<float> coverage;
+    std::vector<size_t> counts;  // pixels per rule, an entry for each
 };
 
 /// Gives each pixel the rule that covers most of it. Where rules select the same object the last one takes it, and what

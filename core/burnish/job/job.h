@@ -9,6 +9,7 @@
 #include <burnish/light/environment.h>
 #include <burnish/material/parameters.h>
 #include <burnish/output/exr_writer.h>
+#include <burnish/sampling/density.h>
 #include <burnish/sampling/estimator.h>
 #include <burnish/surface/surfaces.h>
 
@@ -53,6 +54,7 @@ struct Job {
     PerPixel per_pixel;                                // applied to every lobe
 
     EstimatorSettings estimator;
+    DensitySettings density;
     SurfaceSettings surface;
     CompositeSettings composite;
     ColorSpaces color;

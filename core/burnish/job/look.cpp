@@ -47,11 +47,13 @@ void warn_of_energy(const std::string& name, const Material& material, std::vect
     warnings.push_back("material '" + name + "' creates energy: it reflects " + numbers + "; lower its strength");
 }
 
-std::vector<MaterialShader> make_shaders(const std::vector<Material>& materials, const Environment& light,
-                                         const EstimatorSettings& estimator) {
-    std::vector<MaterialShader> shaders;
-    for (const Material& material : materials) shaders.emplace_back(material, light, estimator);
-    return shaders;
+/// One of each material for the light, be it shader or predictor.
+template <class Made, class Settings>
+std::vector<Made> for_each_material(const std::vector<Material>& materials, const Environment& light,
+                                    const Settings& settings) {
+    std::vector<Made> made;
+    for (const Material& material : materials) made.emplace_back(material, light, settings);
+    return made;
 }
 
 }  // namespace
@@ -71,9 +73,14 @@ Wardrobe prepare_wardrobe(const Job& job) {
 }
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environment> light) {
-    Look look{std::move(wardrobe), std::move(light), {}, {}};
-    look.shaders = make_shaders(look.wardrobe.materials, *look.light, job.estimator);
-    look.old_shaders = make_shaders(look.wardrobe.old_materials, *look.light, job.estimator);
+    Look look{std::move(wardrobe), std::move(light), {}, {}, {}, {}};
+    const std::vector<Material>&materials = look.wardrobe.materials, &old_materials = look.wardrobe.old_materials;
+    look.shaders = for_each_material<MaterialShader>(materials, *look.light, job.estimator);
+    look.old_shaders = for_each_material<MaterialShader>(old_materials, *look.light, job.estimator);
+    if (job.density.density == ShadingDensity::sparse) {
+        look.predictors = for_each_material<BandwidthPredictor>(materials, *look.light, job.density);
+        look.old_predictors = for_each_material<BandwidthPredictor>(old_materials, *look.light, job.density);
+    }
     return look;
 }
 

@@ -4,6 +4,7 @@
 #include <burnish/input/frame.h>
 #include <burnish/job/job.h>
 #include <burnish/shading/material_shader.h>
+#include <burnish/shading/predictor.h>
 
 #include <memory>
 #include <string>
@@ -30,6 +31,7 @@ struct Look {
     Wardrobe wardrobe;
     std::shared_ptr<const Environment> light;
     std::vector<MaterialShader> shaders, old_shaders;
+    std::vector<BandwidthPredictor> predictors, old_predictors;  // sparse shading only
 };
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environment> light);

@@ -3,18 +3,18 @@
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/job/stages.h>
+#include <burnish/shading/sparse.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace burnish {
 namespace {
 
-bool is_anisotropic(const LobeParameters& lobe) { return lobe.mx != lobe.my || lobe.per_pixel.anisotropy; }
-
 /// Which axis brushing runs around, when an anisotropic material meets a frame without tangents.
 void warn_of_tangents(const Look& look, const Vec3f& a, FrameReport& report) {
     for (const Material& material : look.wardrobe.materials) {
-        if (std::none_of(material.lobes.begin(), material.lobes.end(), is_anisotropic)) continue;
+        if (std::none_of(material.lobes.begin(), material.lobes.end(), std::mem_fn(&LobeParameters::is_anisotropic))) continue;
         char axis[96];
         std::snprintf(axis, sizeof axis, "%g,%g,%g", a.x, a.y, a.z);
         report.warnings.push_back("no tangent layer: anisotropic lobes of '" + material.name + "' run around the axis " + axis +
@@ -43,20 +43,10 @@ void add(const std::vector<size_t>& counts, std::vector<size_t>& sums) {
     for (size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
 }
 
-Tally tally_of(const Surfaces& surfaces, const Assignment& assignment, size_t rules) {
+Tally tally_of(const Surfaces& surfaces, const Assignment& assignment) {
     Tally tally;
-    tally.pixels = surfaces.counts();
-    tally.selected = assignment.counts;
+    tally.pixels = surfaces.counts(), tally.shaded = surfaces.rule_counts(), tally.selected = assignment.counts;
     tally.lacks_tangents = surfaces.tangent_source() == TangentSource::axis;
-    std::vector<std::vector<size_t>> rows(static_cast<size_t>(assignment.height), std::vector<size_t>(rules));
-    for_each_index(assignment.height, [&](int y) {
-        const size_t begin = static_cast<size_t>(y) * assignment.width;
-        for (size_t i = begin; i < begin + assignment.width; ++i)
-            if (surfaces.validity(i) == Validity::valid)
-                ++rows[static_cast<size_t>(y)][static_cast<size_t>(assignment.rule[i])];
-    });
-    tally.shaded.resize(rules);
-    for (const std::vector<size_t>& row : rows) add(row, tally.shaded);
     return tally;
 }
 
@@ -70,12 +60,20 @@ void cover_shaded(const Surfaces& surfaces, Assignment& assignment) {
 }
 
 Image validity_image(const Surfaces& surfaces, int width, int height) {
-    Image image(width, height, 1);
+    Image image = Image::unset(width, height, 1);
     for_each_index(height, [&](int y) {
         const size_t begin = static_cast<size_t>(y) * width;
         for (size_t i = begin; i < begin + width; ++i) image.data[i] = static_cast<float>(surfaces.validity(i));
     });
     return image;
+}
+
+/// Sparsely where there are predictors.
+ShadedFrame shade(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
+                  const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
+                  const Progress& progress, bool with_samples) {
+    if (predictors.empty()) return shade_dense(surfaces, assignment, shaders, progress, with_samples);
+    return shade_sparse(frame, surfaces, assignment, shaders, predictors, progress, with_samples);
 }
 
 void check_size(const Assignment& given, const Window& window) {
@@ -106,15 +104,18 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, c
         assignment = given ? *given : assign_rules(frame, look.wardrobe.rules);
         return Surfaces(frame, assignment, job.surface);
     });
-    result.tally = tally_of(surfaces, assignment, look.wardrobe.rules.size());
-    result.validity = validity_image(surfaces, assignment.width, assignment.height);
+    result.tally = tally_of(surfaces, assignment);
+    if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
     timed(seconds, "shading", [&] {
-        result.shaded = shade_dense(surfaces, assignment, look.shaders, part_of(progress, 0.0f, difference ? 0.5f : 1.0f));
-        if (difference) old = shade_dense(surfaces, assignment, look.old_shaders, part_of(progress, 0.5f, 1.0f));
+        result.shaded = shade(frame, surfaces, assignment, look.shaders, look.predictors,
+                              part_of(progress, 0.0f, difference ? 0.5f : 1.0f), job.output.diagnostics);
+        if (difference)
+            old =
+                shade(frame, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f), false);
     });
     result.composite = timed(seconds, "composite", [&] {
-        cover_shaded(surfaces, assignment);
+        if (job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
         return composite(frame, assignment, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr,
                          look.wardrobe.kd, job.composite);
     });

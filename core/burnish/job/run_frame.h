@@ -13,7 +13,7 @@ namespace burnish {
 
 /// What a report counts; the bands of a frame add up.
 struct Tally {
-    std::array<size_t, kValidityCount> pixels{};
+    ValidityCounts pixels{};
     std::vector<size_t> shaded, selected;  // pixels of each rule: shaded, and assigned to it
     double lookups = 0;
     bool lacks_tangents = false;
@@ -25,7 +25,7 @@ struct Tally {
 struct FrameResult {
     Composite composite;
     ShadedFrame shaded;  // its overlay went into the composite
-    Image validity;      // 1 channel: the number of each pixel's Validity
+    Image validity;      // 1 channel: the number of each pixel's Validity; with diagnostics only, as shaded.samples
     Tally tally;
 };
 

@@ -110,6 +110,26 @@ void add_quality(std::vector<Setting>& table) {
                             "reference: most samples of a pixel"));
 }
 
+void add_density(std::vector<Setting>& table) {
+    table.push_back(
+        choice<ShadingDensity>({"density", "quality", "density"}, AT(density.density),
+                               {{"dense", ShadingDensity::dense}, {"sparse", ShadingDensity::sparse}},
+                               "which pixels are shaded: dense, all of them; sparse, as many as the predicted bandwidth "
+                               "asks for, the others are interpolated"));
+    table.push_back(
+        choice<PredictionKind>({"prediction", "quality", "prediction"}, AT(density.prediction),
+                               {{"curvature", PredictionKind::curvature},
+                                {"correlated", PredictionKind::correlated},
+                                {"source", PredictionKind::source}},
+                               "sparse: what predicts the bandwidth: how sharply the filtered light bends; or wavelet "
+                               "bandwidths of light and lobe, space and angle together, or as published"));
+    table.push_back(integer({"directions", "quality", "directions"}, AT(density.directions), {0, 64}, "",
+                            "sparse: directions of light per lobe and prediction; 0: as the prediction needs"));
+    table.push_back(
+        number({"safety", "quality", "safety"}, AT(density.safety), {0.05, 100}, "",
+               "sparse: multiplies the predicted bandwidth; 1 keeps within 45 dB of dense, more is closer and slower"));
+}
+
 void add_surface(std::vector<Setting>& table) {
     table.push_back(choice<TangentSource>({"tangent", "surface", "tangent"}, AT(surface.tangent),
                                           {{"auto", TangentSource::automatic},
@@ -162,7 +182,7 @@ void add_output(std::vector<Setting>& table) {
 
 std::vector<Setting> make_settings() {
     std::vector<Setting> table;
-    for (auto* add : {add_input, add_light, add_materials, add_quality, add_surface, add_composite, add_color, add_output})
+    for (auto* add : {add_input, add_light, add_materials, add_quality, add_density, add_surface, add_composite, add_color, add_output})
         add(table);
     return table;
 }

@@ -6,6 +6,7 @@
 
 #include <burnish/light/cube_level.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,14 +27,19 @@ public:
     /// Radiance around direction d (any length) at a fractional level, clamped to the stack; bilinear in the faces, linear
     /// between levels, without a seam. The stack must not be empty.
     Color3f lookup(const Vec3f& d, float level) const {
+        const std::array<float, 4> rgba = lookup_rgba(d, level);
+        return {rgba[0], rgba[1], rgba[2]};
+    }
+    /// The same with the levels' fourth channel.
+    std::array<float, 4> lookup_rgba(const Vec3f& d, float level) const {
         const CubeCoord c = cube_coord(d);
         const float clamped = std::min(std::max(0.0f, level), static_cast<float>(level_count() - 1));
         const int fine = static_cast<int>(clamped);
         const float blend = clamped - static_cast<float>(fine);
-        float sum[4] = {0, 0, 0, 0};
-        m_levels[fine].add_bilinear(c, 1.0f - blend, sum);
-        if (blend > 0.0f) m_levels[fine + 1].add_bilinear(c, blend, sum);
-        return {sum[0], sum[1], sum[2]};
+        std::array<float, 4> sum{};
+        m_levels[fine].add_bilinear(c, 1.0f - blend, sum.data());
+        if (blend > 0.0f) m_levels[fine + 1].add_bilinear(c, blend, sum.data());
+        return sum;
     }
 
     /// Where texels are, for kernels: level k has sizes[k] texels a side and starts at texel begins[k] of `rgba`. The last

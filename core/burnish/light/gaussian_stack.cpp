@@ -2,6 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/light/gaussian_blur.h>
+#include <burnish/light/light_curvature.h>
 
 #include <algorithm>
 #include <numbers>
@@ -91,6 +92,7 @@ GaussianStack::GaussianStack(const std::array<Image, 6>& faces) {
     m_stack = CubeStack(sizes);
     m_stack[0].fill(faces);
     for (int k = 1; k < m_stack.level_count(); ++k) make_level(levels, k, m_stack);
+    for (int k = 0; k < m_stack.level_count(); ++k) set_curvature(static_cast<float>(levels[k].sigma), m_stack[k]);
 }
 
 float GaussianStack::level(float sigma) const {

@@ -6,6 +6,8 @@
 // kernels and the bilinear tent together, as a mean versine (gaussian_width.h), which a blend of two levels keeps. Levels 1 and
 // 2 are sums over texels, the next ones come from one sqrt(2) narrower by a few lookups a texel, and those wider than 1/3 are
 // sums over a level of a third of the width: there a Gaussian of a Gaussian is no Gaussian any more.
+//
+// The fourth channel of the levels bounds how sharply their light bends, see light_curvature.h.
 #pragma once
 
 #include <burnish/light/cube_stack.h>

@@ -33,6 +33,9 @@ struct LobeParameters {
     Fresnel fresnel;
     std::vector<float> extra;  // the model's own parameters, in the order of ModelInfo::parameters
     PerPixel per_pixel;
+
+    /// Whether it may depend on the direction of the tangent.
+    bool is_anisotropic() const { return mx != my || per_pixel.anisotropy; }
 };
 
 struct Material {

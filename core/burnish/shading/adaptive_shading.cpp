@@ -23,34 +23,34 @@ SurfaceBatch picked(const SurfaceBatch& batch, const std::vector<uint32_t>& plac
 
 struct Shaded {
     std::vector<Color3f> overlay;
-    std::vector<float> samples;
-    std::vector<LobeMoments> moments;
+    std::vector<float> samples, square, weight;
 
-    explicit Shaded(size_t pixels) : overlay(pixels, Color3f(0)), samples(pixels, 0.0f), moments(pixels) {}
+    explicit Shaded(size_t pixels) : overlay(pixels, Color3f(0)), samples(pixels), square(pixels), weight(pixels) {}
+
+    float deviation(size_t i) const { return std::sqrt(relative_variance(luminance(overlay[i]), square[i], weight[i])); }
 };
 
 }  // namespace
 
-void add_adaptive_shading(const TableShading& shading, const TableLadder& ladder, const SurfaceBatch& batch,
-                          std::span<Color3f> overlay, std::span<float> samples) {
+void add_adaptive_shading(const TableShading& shading, const TableLadder& ladder, const TableShading* prediction,
+                          const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples) {
     const auto with = [&](size_t rung) {
         return TableShading{shading.lobe,       ladder.tables[rung],    shading.stack,
                             shading.distortion, shading.world_to_light, shading.gain};
     };
     Shaded few(batch.size());
-    add_table_shading(with(0), batch, few.overlay, few.samples, few.moments);
+    add_table_shading(prediction ? *prediction : with(0), batch, {few.overlay, few.samples, few.square, few.weight});
     std::vector<std::vector<uint32_t>> places(ladder.counts.size());
     for (uint32_t i = 0; i < batch.size(); ++i) {
-        const float deviation = std::sqrt(few.moments[i].relative_variance());
-        const size_t rung = ladder_rung(ladder.counts, deviation, ladder.full_deviation);
+        const size_t rung = ladder_rung(ladder.counts, few.deviation(i), ladder.full_deviation);
         places[rung].push_back(i);
-        if (rung == 0) overlay[i] += few.overlay[i];
+        if (rung == 0 && !prediction) overlay[i] += few.overlay[i];
         samples[i] += few.samples[i];
     }
-    for (size_t rung = 1; rung < places.size(); ++rung) {
+    for (size_t rung = prediction ? 0 : 1; rung < places.size(); ++rung) {
         if (places[rung].empty()) continue;
         Shaded more(places[rung].size());
-        add_table_shading(with(rung), picked(batch, places[rung]), more.overlay, more.samples);
+        add_table_shading(with(rung), picked(batch, places[rung]), {more.overlay, more.samples, {}, {}});
         for (size_t k = 0; k < places[rung].size(); ++k) {
             overlay[places[rung][k]] += more.overlay[k];
             samples[places[rung][k]] += more.samples[k];

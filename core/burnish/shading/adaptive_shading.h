@@ -22,8 +22,9 @@ struct TableLadder {
 };
 
 /// As add_table_shading, the table chosen pixel by pixel; shading.table is not read. samples[i] counts the lookups of the
-/// prediction, too. The same pixel gives the same bits in whatever batch it comes.
-void add_adaptive_shading(const TableShading& shading, const TableLadder& ladder, const SurfaceBatch& batch,
-                          std::span<Color3f> overlay, std::span<float> samples);
+/// prediction, too. `prediction`: what predicts, a table over a stack whose fourth channel holds squares; null: the lowest table
+/// of the ladder, over such a stack. The same pixel gives the same bits in whatever batch it comes.
+void add_adaptive_shading(const TableShading& shading, const TableLadder& ladder, const TableShading* prediction,
+                          const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples);
 
 }  // namespace burnish

@@ -1,54 +1,18 @@
 #include <burnish/shading/dense.h>
 
 #include <burnish/base/parallel.h>
-
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
-#include <algorithm>
+#include <burnish/shading/tile_shading.h>
 
 namespace burnish {
-namespace {
-
-/// Returns the lookups of the batch.
-double scatter(const SurfaceBatch& batch, const ShadedBatch& shaded, ShadedFrame& frame) {
-    double lookups = 0;
-    for (size_t i = 0; i < batch.size(); ++i) {
-        float* overlay = frame.overlay.at(static_cast<size_t>(batch.pixel[i]));
-        const Color3f& c = shaded.overlay[i];
-        overlay[0] = c.x, overlay[1] = c.y, overlay[2] = c.z;
-        *frame.samples.at(static_cast<size_t>(batch.pixel[i])) = shaded.samples[i];
-        lookups += shaded.samples[i];
-        if (!shaded.standard_error.empty())
-            *frame.standard_error.at(static_cast<size_t>(batch.pixel[i])) = shaded.standard_error[i];
-    }
-    return lookups;
-}
-
-/// Of one thread, kept from tile to tile: its planes grow once.
-struct Scratch {
-    SurfaceBatch batch;
-    ShadedBatch shaded;
-    double lookups = 0;  // whole numbers: their sum does not depend on its order
-};
-
-}  // namespace
 
 ShadedFrame shade_dense(const Surfaces& surfaces, const Assignment& assignment, const std::vector<MaterialShader>& shaders,
-                        const Progress& progress) {
-    const int width = assignment.width, height = assignment.height;
-    const bool with_error = std::any_of(shaders.begin(), shaders.end(), [](const auto& s) { return s.estimates_error(); });
-    ShadedFrame frame{Image(width, height, 3), with_error ? Image(width, height, 1) : Image(), Image(width, height, 1), 0};
-    tbb::enumerable_thread_specific<Scratch> scratch;
-    for_each_tile(width, height, progress, "shading", [&](const Window& tile) {
-        auto& [batch, shaded, lookups] = scratch.local();
-        for (size_t rule = 0; rule < shaders.size(); ++rule) {
-            surfaces.gather(tile, static_cast<int>(rule), batch);
-            if (batch.size() == 0) continue;
-            shaders[rule].shade(batch, shaded);
-            lookups += scatter(batch, shaded, frame);
-        }
-    });
-    for (const Scratch& thread : scratch) frame.lookups += thread.lookups;
+                        const Progress& progress, bool with_samples) {
+    ShadedFrame frame = shaded_frame(assignment.width, assignment.height, shaders, with_samples);
+    const auto list = [&](const Window& tile, PixelLists& pixels) {
+        for (size_t rule = 0; rule < shaders.size(); ++rule)
+            if (surfaces.rule_counts()[rule] > 0) surfaces.list(tile, static_cast<int>(rule), pixels[rule]);
+    };
+    shade_tiles(surfaces, shaders, kTileSize, list, progress, frame);
     return frame;
 }
 

@@ -11,6 +11,7 @@
 #include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace burnish {
@@ -72,28 +73,30 @@ struct MaterialShader::LobeShader {
             table = TapTable(lobe, taps, *rule);
     }
 
-    /// For an adaptive `reference`: a few lookups of `regular`, for their moments.
+    /// For an adaptive `reference` or `preconvolved`: a few lookups of `regular` in the pyramid, whose fourth channel holds squares.
     void prepare_prediction() {
-        EstimatorSettings few;
-        few.kind = EstimatorKind::regular, few.samples = kFewestLookups;
-        const TapRule few_taps(lobe, few, [this](float omega) { return light.pyramid().level(omega); });
+        EstimatorSettings fewest;
+        fewest.kind = EstimatorKind::regular, fewest.samples = kFewestLookups;
+        const TapRule few_taps(lobe, fewest, [this](float omega) { return light.pyramid().level(omega); });
         const int taps = few_taps.tap_count(lobe.mx, lobe.my);
-        if (!TapTable::covers(lobe, taps)) return;
-        stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
-        table = TapTable(lobe, taps, few_taps);
+        if (TapTable::covers(lobe, taps)) few = TapTable(lobe, taps, few_taps);
+    }
+
+    TableShading prediction() const {
+        return {lobe, few, light.pyramid().stack(), CubePyramid::kDistortion, light.world_to_light(), light.gain()};
     }
 
     /// Passes until `reference` first looks at the error of each pixel. Where there are suns, of which the prediction knows
     /// nothing, never early.
     std::vector<int> first_passes(const SurfaceBatch& batch, ShadedBatch& out) const {
         std::vector<int> passes(batch.size(), kMinPasses);
-        if (table.tap_count() == 0) return passes;
+        if (few.tap_count() == 0) return passes;
         std::vector<Color3f> overlay(batch.size());
-        std::vector<LobeMoments> moments(batch.size());
-        add_table_shading(with(table), batch, overlay, out.samples, moments);
+        std::vector<float> square(batch.size()), weight(batch.size());
+        add_table_shading(prediction(), batch, {overlay, out.samples, square, weight});
         const int fewest = light.discs().empty() ? 1 : kMinPasses;
         for (size_t i = 0; i < batch.size(); ++i) {
-            const float deviation = std::sqrt(moments[i].relative_variance());
+            const float deviation = std::sqrt(relative_variance(luminance(overlay[i]), square[i], weight[i]));
             passes[i] = std::max(fewest, predicted_passes(deviation, settings.tolerance));
         }
         return passes;
@@ -102,6 +105,7 @@ struct MaterialShader::LobeShader {
     /// `regular` may have one pattern for two of the counts.
     void prepare_ladder(int most) {
         ladder.full_deviation = full_deviation(settings.kind);
+        if (settings.kind == EstimatorKind::preconvolved) prepare_prediction();
         for (const int count : sample_ladder(most)) {
             EstimatorSettings fewer = settings;
             fewer.samples = count;
@@ -118,11 +122,18 @@ struct MaterialShader::LobeShader {
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
         if (!ladder.tables.empty())
-            add_adaptive_shading(with(ladder.tables.back()), ladder, batch, out.overlay, out.samples);
+            add_by_ladder(batch, out);
         else if (table.tap_count() > 0)
-            add_table_shading(with(table), batch, out.overlay, out.samples);
+            add_table_shading(with(table), batch, {out.overlay, out.samples, {}, {}});
         else
             add_tap_by_tap(batch, out);
+    }
+
+    void add_by_ladder(const SurfaceBatch& batch, ShadedBatch& out) const {
+        const TableShading shading = with(ladder.tables.back());
+        if (few.tap_count() == 0) return add_adaptive_shading(shading, ladder, nullptr, batch, out.overlay, out.samples);
+        const TableShading predicting = prediction();
+        add_adaptive_shading(shading, ladder, &predicting, batch, out.overlay, out.samples);
     }
 
     /// Where each pixel has to make its own taps.
@@ -183,14 +194,20 @@ struct MaterialShader::LobeShader {
     EstimatorSettings settings;
     const Environment& light;
     std::optional<TapRule> rule;
-    TapTable table;        // empty where anisotropy comes from a layer, and where there is a ladder; reference: its prediction
+    TapTable table;        // empty where anisotropy comes from a layer, and where there is a ladder
     TableLadder ladder;    // adaptive only
+    TapTable few;          // what predicts for an adaptive reference or preconvolved
     CubeStack stack;       // what taps read, a handle
     float distortion = 0;  // levels a tap gains where the cube's texels are small
 };
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {
     for (const LobeParameters& lobe : material.lobes) m_lobes.push_back(std::make_shared<LobeShader>(lobe, light, settings));
+}
+
+BatchNeeds MaterialShader::needs() const {
+    const auto turns = [](const auto& shader) { return shader->lobe.is_anisotropic(); };
+    return {.position = false, .tangent = std::any_of(m_lobes.begin(), m_lobes.end(), turns)};
 }
 
 bool MaterialShader::estimates_error() const {

@@ -27,6 +27,9 @@ public:
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
     void shade(const SurfaceBatch& batch, ShadedBatch& out) const;
 
+    /// The fields of a batch that `shade` reads.
+    BatchNeeds needs() const;
+
     /// Whether `shade` fills standard_error: the estimator is `reference`.
     bool estimates_error() const;
 

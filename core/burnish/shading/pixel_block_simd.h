@@ -128,7 +128,7 @@ HWY_INLINE void prepare_pixels(const TableShading& shading, const SurfaceBatch& 
     store(turned(f.t, shading.world_to_light), at, block.t), store(turned(f.b, shading.world_to_light), at, block.b);
     store(turned(n * side, shading.world_to_light), at, block.n);
     store(turned(wo + n * hn::Mul(far, z), shading.world_to_light), at, block.wo);
-    store(turned(load(batch.ng, i) * side, shading.world_to_light), at, block.ng);
+    store(turned(load(batch.geometric_normal(), i) * side, shading.world_to_light), at, block.ng);
     store({x, y, z}, at, block.wo_local);
 
     const VF cos_o = clamped(z, constant(1)), one = constant(1);

@@ -17,19 +17,35 @@
 
 namespace burnish {
 
+/// Of one pixel.
+struct AngularPrediction {
+    float nu_a;    // cycles per radian of the reflected direction, of a display signal that spans black to white
+    float reach;   // radian around the reflected direction within which nu_a holds
+    float length;  // radian the lobe reaches along its tangent, with which it turns; 0 for round lobes
+};
+
 class BandwidthPredictor {
 public:
     /// The environment must outlive the predictor.
     BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings);
 
-    /// nu_a of the overlay at each pixel of the batch, cycles per radian of the reflected direction, safety included.
-    /// Thread-safe; the same pixel gives the same bits in whatever batch it comes.
-    void predict(const SurfaceBatch& batch, std::span<float> nu_a) const;
+    /// Sets out[i] for pixel i of the batch, safety included. Thread-safe; the same pixel gives the same bits in whatever batch
+    /// it comes.
+    void predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const;
+
+    /// The fields of a batch that `predict` reads, and layers that some lobe of the material reads.
+    BatchNeeds needs() const { return {false, m_is_anisotropic}; }
+    const PerPixel& used_layers() const { return m_used_layers; }
 
     struct Variant;  // one kind of prediction
 
 private:
+    bool m_is_anisotropic = false;
+    PerPixel m_used_layers;
     std::shared_ptr<const Variant> m_variant;
 };
+
+/// Layers that any of the materials reads.
+PerPixel used_layers(std::span<const BandwidthPredictor> predictors);
 
 }  // namespace burnish

@@ -41,7 +41,7 @@ inline ShadingPoint shading_point(const SurfaceBatch& batch, size_t i, const Lob
     const Frame world = lobe_frame(batch, i, lobe, widths.x == widths.y);
     ShadingPoint point;
     point.wo = world.to_local(batch.wo[i]);
-    point.ng = world.to_local(batch.ng[i]);
+    point.ng = world.to_local(batch.geometric_normal()[i]);
     point.frame = {world.t * world_to_light, world.b * world_to_light, world.n * world_to_light};
     point.mx = widths.x, point.my = widths.y;
     point.scale = lobe.tint * lobe.strength;

@@ -52,9 +52,8 @@ HWY_INLINE size_t store_taps(const V3& wi, VF level, const V3& weight, size_t co
     const auto store = [&](const V3& w, VF l, const V3& rgb) {
         hn::StoreU(w.x, d, taps.x + at), hn::StoreU(w.y, d, taps.y + at), hn::StoreU(w.z, d, taps.z + at);
         hn::StoreU(l, d, taps.level + at);
-        const VF y =
-            hn::MulAdd(constant(0.2126f), rgb.x, hn::MulAdd(constant(0.7152f), rgb.y, hn::Mul(constant(0.0722f), rgb.z)));
-        hn::StoreInterleaved4(rgb.x, rgb.y, rgb.z, y, d, queue.weight[at]);
+        const VF bright = dot(rgb, {constant(0.2126f), constant(0.7152f), constant(0.0722f)});  // of the stack's fourth channel
+        hn::StoreInterleaved4(rgb.x, rgb.y, rgb.z, bright, d, queue.weight[at]);
     };
     const auto weighs = hn::Ne(hn::Or(hn::Or(weight.x, weight.y), weight.z), hn::Zero(d));
     const size_t kept = hn::CountTrue(d, weighs);
@@ -100,7 +99,7 @@ HWY_INLINE Color3f pixel_scale(const LobeParameters& lobe, const SurfaceBatch& b
 struct BlockSums {
     bool of_weights;  // whether `weight` is asked for
     Color3f light[PixelBlock::kPixels];
-    float square[PixelBlock::kPixels], weight[PixelBlock::kPixels];  // luminance squared, and the lookups' weights
+    float fourth[PixelBlock::kPixels], weight[PixelBlock::kPixels];
     size_t lookups[PixelBlock::kPixels];
 };
 
@@ -117,8 +116,7 @@ void add_taps(const TableShading& shading, const PixelBlock& block, size_t begin
     for (size_t p = begin, i = 0; p < end; i = ends[p++]) {
         float rgba[4];
         queued_sum(shading.stack.layout(), queue, i, ends[p] - i, rgba);
-        sums.light[p] += Color3f(rgba[0], rgba[1], rgba[2]);
-        sums.square[p] += rgba[3];
+        sums.light[p] += Color3f(rgba[0], rgba[1], rgba[2]), sums.fourth[p] += rgba[3];
         for (size_t tap = i; sums.of_weights && tap < ends[p]; ++tap) sums.weight[p] += queue.weight[tap][3];
         sums.lookups[p] += ends[p] - i;
     }
@@ -138,22 +136,23 @@ void shade_block(const TableShading& shading, const PixelBlock& block, size_t co
                      taps, queue, sums);
 }
 
-void shade_batch(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples,
-                 std::span<LobeMoments> moments) {
+void shade_batch(const TableShading& shading, const SurfaceBatch& batch, const TableSums& out) {
     PixelBlock block;
     PlacedTaps taps;
     TapQueue queue;
     BlockSums sums{};
-    sums.of_weights = !moments.empty();
+    sums.of_weights = !out.weight.empty();
     const Color3f gain = shading.lobe.tint * shading.lobe.strength * shading.gain;
     for (size_t begin = 0; begin < batch.size(); begin += PixelBlock::kPixels) {
         const size_t count = std::min(PixelBlock::kPixels, batch.size() - begin);
         for (size_t i = 0; i < count; i += hn::Lanes(Lanes())) prepare_pixels(shading, batch, begin + i, i, block);
         shade_block(shading, block, count, taps, queue, sums);
         for (size_t i = 0; i < count; ++i) {
-            overlay[begin + i] += sums.light[i] * gain * pixel_scale(shading.lobe, batch, begin + i);
-            samples[begin + i] += static_cast<float>(sums.lookups[i]);
-            if (!moments.empty()) moments[begin + i] = {luminance(sums.light[i]), sums.square[i], sums.weight[i]};
+            const Color3f scale = gain * pixel_scale(shading.lobe, batch, begin + i);
+            out.overlay[begin + i] += sums.light[i] * scale;
+            out.samples[begin + i] += static_cast<float>(sums.lookups[i]);
+            if (!out.fourth.empty()) out.fourth[begin + i] += sums.fourth[i] * luminance(scale);
+            if (!out.weight.empty()) out.weight[begin + i] += sums.weight[i] * luminance(scale);
         }
     }
 }
@@ -167,9 +166,8 @@ namespace burnish {
 
 HWY_EXPORT(shade_batch);
 
-void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay,
-                       std::span<float> samples, std::span<LobeMoments> moments) {
-    HWY_DYNAMIC_DISPATCH(shade_batch)(shading, batch, overlay, samples, moments);
+void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, const TableSums& out) {
+    HWY_DYNAMIC_DISPATCH(shade_batch)(shading, batch, out);
 }
 
 }  // namespace burnish

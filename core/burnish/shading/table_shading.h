@@ -19,20 +19,21 @@ struct TableShading {
     Color3f gain;
 };
 
-/// The luminance of light as a lobe weighs it, without tint, strength and gain.
-struct LobeMoments {
-    float mean = 0;    // integral of light times lobe
-    float square = 0;  // integral of light squared times lobe
-    float weight = 0;  // integral of the lobe
-
-    /// Variance of one importance sample of the lobe, over the square of its mean; >= 0.
-    float relative_variance() const { return mean > 0 ? std::max(square * weight / (mean * mean) - 1, 0.0f) : 0.0f; }
+/// Where the sums of a batch are added, entry i for pixel i.
+struct TableSums {
+    std::span<Color3f> overlay;
+    std::span<float> samples;  // lookups it took: taps of no weight take none
+    std::span<float> fourth;   // of the stack's fourth channel, taps weighted by their luminance; may be empty
+    std::span<float> weight;   // of those weights, as the overlay of light 1 would be; may be empty
 };
 
-/// Adds the lobe's overlay of pixel i to overlay[i], and to samples[i] the lookups it took: taps of no weight take none. Sets
-/// moments[i], if there are any, as far as the stack's A holds squares. The same pixel gives the same bits in whatever batch it
-/// comes.
-void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, std::span<Color3f> overlay,
-                       std::span<float> samples, std::span<LobeMoments> moments = {});
+/// Adds the lobe's overlay. The same pixel gives the same bits in whatever batch it comes.
+void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, const TableSums& out);
+
+/// Variance of one importance sample of the lobe, over the square of its mean; >= 0. From the luminance of a lobe's overlay and
+/// its `fourth` and `weight`, where the stack's fourth channel holds squares.
+inline float relative_variance(float mean, float fourth, float weight) {
+    return mean > 0 ? std::max(fourth * weight / (mean * mean) - 1, 0.0f) : 0.0f;
+}
 
 }  // namespace burnish

@@ -18,11 +18,18 @@ struct Vec3Planes {
     void clear() { x.clear(), y.clear(), z.clear(); }
 };
 
+/// The fields of a batch that not every reader needs.
+struct BatchNeeds {
+    bool position = true, tangent = true;
+};
+
 /// Pixels of one material, all valid: unit vectors, wo above both n and ng. World space, scene units.
-/// The optional fields (roughness ... weight) are empty when the frame has no such layer, else of size().
+/// Of size() are pixel, n and wo; p and t too, where they were asked for; ng and the fields from roughness on, where the
+/// frame has such a layer. The others are empty.
 struct SurfaceBatch {
     std::vector<uint32_t> pixel;    // flat index into the frame, row-major
-    Vec3Planes p, n, ng, t, wo;     // ng == n without a geometric-normal layer; t is perpendicular to n
+    Vec3Planes n, wo, p, t;         // t is perpendicular to n
+    Vec3Planes ng;                  // empty: n is the geometric normal, too
     std::vector<float> roughness;   // slope width m (alpha), already squared from the artist's roughness; in (0, 1]
     std::vector<float> anisotropy;  // artist's anisotropy in [-1, 1]
     std::vector<float> rotation;    // radians, turns t about n, right-hand rule
@@ -30,6 +37,7 @@ struct SurfaceBatch {
     std::vector<float> weight;      // multiplies the overlay
 
     size_t size() const { return pixel.size(); }
+    const Vec3Planes& geometric_normal() const { return ng.x.empty() ? n : ng; }
     void clear();
 };
 

@@ -1,14 +1,17 @@
 #include <burnish/surface/surfaces.h>
 
 #include <burnish/base/parallel.h>
+#include <burnish/surface/collect.h>
+#include <burnish/surface/fetch.h>
 #include <burnish/surface/uv_tangent.h>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 
 namespace burnish {
 namespace {
 
-constexpr float kMiss = 1e9f;       // renderers write 1e10, 1e30 or infinity where no surface was hit
 constexpr float kMinWidth = 1e-4f;  // narrowest lobe; below it a lobe is a mirror to float precision
 
 Vec3f vec3(const Image& image, size_t pixel) {
@@ -26,16 +29,6 @@ void copy(const Image& layer, const std::vector<uint32_t>& pixels, Vec3Planes& p
     for (size_t i = 0; i < pixels.size(); ++i) {
         const float* v = layer.at(static_cast<size_t>(pixels[i]));
         planes.x[i] = v[0], planes.y[i] = v[1], planes.z[i] = v[2];
-    }
-}
-
-/// Valid pixels have no zero vectors; the floor keeps those whose square is none finite.
-void normalise(Vec3Planes& planes) {
-    const size_t count = planes.x.size();
-    float *x = planes.x.data(), *y = planes.y.data(), *z = planes.z.data();
-    for (size_t i = 0; i < count; ++i) {
-        const float length = std::sqrt(std::max(x[i] * x[i] + y[i] * y[i] + z[i] * z[i], 1e-37f));
-        x[i] /= length, y[i] /= length, z[i] /= length;
     }
 }
 
@@ -64,12 +57,6 @@ TangentSource resolve(TangentSource wanted, const AovFrame& frame) {
 
 }  // namespace
 
-std::string_view validity_name(Validity validity) {
-    static constexpr std::array<std::string_view, kValidityCount> names{
-        "valid", "background", "not_finite", "zero_normal", "averaged_normal", "back_facing", "unassigned"};
-    return names[static_cast<size_t>(validity)];
-}
-
 Surfaces::Layers::Layers(const AovFrame& frame)
     : position(&frame.layer(Role::position)),
       normal(&frame.layer(Role::normal)),
@@ -96,30 +83,18 @@ Surfaces::Surfaces(const AovFrame& frame, const Assignment& assignment, const Su
 }
 
 void Surfaces::classify_rows() {
-    const int width = m_layers.position->width, height = m_layers.position->height;
+    const int width = m_assignment.width, height = m_assignment.height;
     m_validity.resize(m_layers.position->pixel_count(), Validity::unassigned);
-    std::vector<Counts> counts(static_cast<size_t>(height));
+    m_counts.rule.resize(m_assignment.counts.size());
+    tbb::enumerable_thread_specific<PixelCounts> counts(m_counts);
     for_each_index(height - m_frame.margin_above - m_frame.margin_below, [&](int index) {
-        const int y = index + m_frame.margin_above;
-        const size_t row = static_cast<size_t>(y) * width;
-        Counts& count = counts[static_cast<size_t>(y)];
-        for (size_t pixel = row; pixel < row + width; ++pixel)
-            ++count[static_cast<size_t>(m_validity[pixel] = classify(pixel))];
+        const size_t first = static_cast<size_t>(index + m_frame.margin_above) * width;
+        const PixelLayers layers{m_layers.position->at(first), m_layers.normal->at(first),
+                                 m_layers.depth ? m_layers.depth->at(first) : nullptr, &m_assignment.rule[first]};
+        classify(layers, {m_eye, m_settings.min_normal_length}, {&m_validity[first], static_cast<size_t>(width)},
+                 counts.local());
     });
-    for (const Counts& row : counts)
-        for (size_t i = 0; i < row.size(); ++i) m_counts[i] += row[i];
-}
-
-Validity Surfaces::classify(size_t pixel) const {
-    const Vec3f p = vec3(*m_layers.position, pixel), n = vec3(*m_layers.normal, pixel);
-    if (p == Vec3f(0, 0, 0) || (m_layers.depth && !(*m_layers.depth->at(pixel) < kMiss))) return Validity::background;
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kMiss) return Validity::background;
-    if (!is_finite(p) || !is_finite(n)) return Validity::not_finite;
-    const float length = n.length();
-    if (length < 1e-6f) return Validity::zero_normal;
-    if (length < m_settings.min_normal_length) return Validity::averaged_normal;
-    if (m_assignment.rule[pixel] < 0) return Validity::unassigned;
-    return n.dot(m_eye - p) > 0 ? Validity::valid : Validity::back_facing;
+    for (const PixelCounts& part : counts) m_counts += part;
 }
 
 /// The directions tangents follow, from layer, UVs or the axis.
@@ -140,23 +115,18 @@ void Surfaces::fill_hints(SurfaceBatch& batch) const {
     }
 }
 
-void Surfaces::fill_geometry(SurfaceBatch& batch) const {
-    const size_t count = batch.size();
-    copy(*m_layers.position, batch.pixel, batch.p);
-    copy(*m_layers.normal, batch.pixel, batch.n);
-    normalise(batch.n);
-    resize(batch.wo, count);
-    for (size_t i = 0; i < count; ++i) batch.wo.x[i] = m_eye.x - batch.p.x[i];
-    for (size_t i = 0; i < count; ++i) batch.wo.y[i] = m_eye.y - batch.p.y[i];
-    for (size_t i = 0; i < count; ++i) batch.wo.z[i] = m_eye.z - batch.p.z[i];
-    normalise(batch.wo);
+void Surfaces::fill_tangents(SurfaceBatch& batch) const {
+    fill_hints(batch);
+    make_perpendicular(batch.n, batch.t);
+}
+
+/// The layer's where it is one that the viewer could see, else the shading normal.
+void Surfaces::fill_geometric_normals(SurfaceBatch& batch) const {
     batch.ng = batch.n;
-    for (size_t i = 0; m_layers.geometric_normal && i < count; ++i) {
+    for (size_t i = 0; i < batch.size(); ++i) {
         const Vec3f given = vec3(*m_layers.geometric_normal, batch.pixel[i]);
         if (is_finite(given) && given.length2() > 1e-6f && given.dot(batch.wo[i]) > 0) set(batch.ng, i, given.normalized());
     }
-    fill_hints(batch);
-    make_perpendicular(batch.n, batch.t);
 }
 
 void Surfaces::fill_parameters(SurfaceBatch& batch) const {
@@ -180,19 +150,23 @@ void Surfaces::fill_parameters(SurfaceBatch& batch) const {
     }
 }
 
-void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch) const {
-    batch.clear();
-    for (int y = tile.y; y < tile.y + tile.height; ++y) {
-        const size_t row = static_cast<size_t>(y) * m_layers.position->width + tile.x;
-        for (size_t pixel = row; pixel < row + tile.width; ++pixel)
-            if (m_validity[pixel] == Validity::valid && m_assignment.rule[pixel] == rule)
-                batch.pixel.push_back(static_cast<uint32_t>(pixel));
-    }
-    fill(batch);
+void Surfaces::list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const {
+    if (m_counts.rule[static_cast<size_t>(rule)] == 0) return;
+    collect({m_validity.data(), m_assignment.rule.data(), static_cast<size_t>(m_assignment.width)}, tile, rule, pixels);
 }
 
-void Surfaces::fill(SurfaceBatch& batch) const {
-    fill_geometry(batch);
+void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch, const BatchNeeds& needs) const {
+    batch.clear();
+    list(tile, rule, batch.pixel);
+    fill(batch, needs);
+}
+
+void Surfaces::fill(SurfaceBatch& batch, const BatchNeeds& needs) const {
+    fetch_unit(m_layers.normal->data.data(), batch.pixel, batch.n);
+    fetch_views(m_layers.position->data.data(), m_eye, batch.pixel, batch.wo);
+    if (needs.position) copy(*m_layers.position, batch.pixel, batch.p);
+    if (needs.tangent) fill_tangents(batch);
+    if (m_layers.geometric_normal) fill_geometric_normals(batch);
     fill_parameters(batch);
 }
 

@@ -3,17 +3,10 @@
 
 #include <burnish/input/assign.h>
 #include <burnish/input/frame.h>
+#include <burnish/surface/classify.h>
 #include <burnish/surface/surface_batch.h>
 
-#include <array>
-#include <string_view>
-
 namespace burnish {
-
-/// Why a pixel is not shaded, or that it is. Written as a diagnostic layer and counted in the report.
-enum class Validity : uint8_t { valid, background, not_finite, zero_normal, averaged_normal, back_facing, unassigned };
-inline constexpr int kValidityCount = 7;
-std::string_view validity_name(Validity validity);
 
 /// Where tangents come from; `automatic` takes the first of layer, uv and axis that the frame allows.
 enum class TangentSource { automatic, layer, uv, axis };
@@ -32,18 +25,20 @@ public:
 
     /// Rows of the frame's margins count for nothing and are never valid.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
-    /// Pixels per Validity.
-    const std::array<size_t, kValidityCount>& counts() const { return m_counts; }
+    bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
+    const ValidityCounts& counts() const { return m_counts.validity; }
+    /// Valid pixels per rule.
+    const std::vector<size_t>& rule_counts() const { return m_counts.rule; }
     /// Where the tangents came from in the end: never `automatic`.
     TangentSource tangent_source() const { return m_settings.tangent; }
-    /// Collects the valid pixels of `tile` assigned to `rule` into `batch` (cleared first).
-    void gather(const Window& tile, int rule, SurfaceBatch& batch) const;
+    /// Appends the valid pixels of `tile` assigned to `rule`, row by row.
+    void list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const;
+    /// Collects them into `batch` (cleared first).
+    void gather(const Window& tile, int rule, SurfaceBatch& batch, const BatchNeeds& needs = {}) const;
     /// Fills a batch that names valid pixels and holds nothing else yet.
-    void fill(SurfaceBatch& batch) const;
+    void fill(SurfaceBatch& batch, const BatchNeeds& needs = {}) const;
 
 private:
-    using Counts = std::array<size_t, kValidityCount>;
-
     /// The frame's layers, looked up once; null where there is none.
     struct Layers {
         explicit Layers(const AovFrame& frame);
@@ -52,9 +47,9 @@ private:
     };
 
     void classify_rows();
-    Validity classify(size_t pixel) const;
     void fill_hints(SurfaceBatch& batch) const;
-    void fill_geometry(SurfaceBatch& batch) const;
+    void fill_tangents(SurfaceBatch& batch) const;
+    void fill_geometric_normals(SurfaceBatch& batch) const;
     void fill_parameters(SurfaceBatch& batch) const;
 
     const AovFrame& m_frame;
@@ -62,8 +57,8 @@ private:
     SurfaceSettings m_settings;
     Vec3f m_eye;
     Layers m_layers;
-    std::vector<Validity> m_validity;
-    Counts m_counts{};
+    PixelVector<Validity> m_validity;
+    PixelCounts m_counts;
 };
 
 }  // namespace burnish

@@ -46,7 +46,7 @@ AovFrame frame() {
 AssignRule named(const std::string& pattern) { return {"m", {}, {}, pattern}; }
 AssignRule object(int index) { return {"m", index, {}, ""}; }
 
-void expect_assignment(const std::vector<AssignRule>& rules, const std::vector<int16_t>& rule,
+void expect_assignment(const std::vector<AssignRule>& rules, const PixelVector<int16_t>& rule,
                        const std::vector<float>& coverage) {
     const Assignment found = assign_rules(frame(), rules);
     EXPECT_EQ(found.rule, rule);
@@ -105,7 +105,7 @@ TEST(AssignRules, LooksInTheCryptomatteThatListsTheName) {
 TEST(AssignRules, FindsNamesByHashWhenNoManifestListsThem) {
     AovFrame bare = frame();
     bare.cryptomattes[0].manifest.clear();
-    EXPECT_EQ(assign_rules(bare, {named("table")}).rule, (std::vector<int16_t>{-1, 0, 0, 0}));
+    EXPECT_EQ(assign_rules(bare, {named("table")}).rule, (PixelVector<int16_t>{-1, 0, 0, 0}));
     EXPECT_THROW(assign_rules(bare, {named("tab*")}), Error);
 }
 

@@ -135,9 +135,9 @@ TEST(NamePattern, StaysFastOnHostilePatterns) {
 TEST(Cryptomatte, CoversByNameWithoutAManifest) {
     const Cryptomatte matte = decode(small_source()).at(0);
     EXPECT_EQ(matte.ranks.size(), 2u);
-    EXPECT_EQ(cryptomatte_coverage(matte, matching_ids(matte, "ball")).data, (std::vector{1.0f, 0.25f}));
-    EXPECT_EQ(cryptomatte_coverage(matte, matching_ids(matte, "ball, table")).data, (std::vector{1.0f, 0.75f}));
-    EXPECT_EQ(cryptomatte_coverage(matte, matching_ids(matte, "chair")).data, (std::vector{0.0f, 0.0f}));
+    EXPECT_EQ(cryptomatte_coverage(matte, matching_ids(matte, "ball")).data, (PixelVector<float>{1.0f, 0.25f}));
+    EXPECT_EQ(cryptomatte_coverage(matte, matching_ids(matte, "ball, table")).data, (PixelVector<float>{1.0f, 0.75f}));
+    EXPECT_EQ(cryptomatte_coverage(matte, matching_ids(matte, "chair")).data, (PixelVector<float>{0.0f, 0.0f}));
     EXPECT_THROW(matching_ids(matte, "b*"), Error) << "wildcards need the names";
 }
 

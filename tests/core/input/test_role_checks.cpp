@@ -81,7 +81,7 @@ TEST(RoleChecks, ScrubCountsPixelsNotValues) {
     Image image(3, 1, 3, 1.0f);
     image.at(1, 0)[0] = kNaN, image.at(1, 0)[2] = -kInfinity;
     EXPECT_EQ(scrub(image), 1u);
-    EXPECT_EQ(image.data, (std::vector<float>{1, 1, 1, 0, 1, 0, 1, 1, 1}));
+    EXPECT_EQ(image.data, (PixelVector<float>{1, 1, 1, 0, 1, 0, 1, 1, 1}));
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST(AssignMasks, LetsLaterMasksWin) {
     Image all(2, 1, 1, 1.0f), right(2, 1, 1);
     *right.at(1, 0) = 0.5f;
     const Assignment assignment = assign_masks({all, right});
-    EXPECT_EQ(assignment.rule, (std::vector<int16_t>{0, 1}));
-    EXPECT_EQ(assignment.coverage, (std::vector<float>{1.0f, 0.5f}));
+    EXPECT_EQ(assignment.rule, (PixelVector<int16_t>{0, 1}));
+    EXPECT_EQ(assignment.coverage, (PixelVector<float>{1.0f, 0.5f}));
     EXPECT_EQ(assignment.counts, (std::vector<size_t>{1, 1}));
 }

@@ -169,7 +169,7 @@ TEST(Diffuse, IsTheSameForAnyThreadCount) {
         const ThreadLimit limit(threads);
         return Picture().render(2).layer(Role::beauty).data;
     };
-    const std::vector<float> one = rendered(1), two = rendered(2);
+    const PixelVector<float> one = rendered(1), two = rendered(2);
     EXPECT_EQ(std::memcmp(one.data(), two.data(), one.size() * sizeof(float)), 0);
 }
 

@@ -48,7 +48,7 @@ SurfaceBatch bumpy_sphere(int size) {
         const Vec3f p = batch.p[i],
                     ng = (batch.n[i] + Vec3f(0.2f * std::sin(9 * p.x), 0.2f * std::cos(7 * p.y), 0)).normalized();
         const Vec3f own = ng.dot(batch.wo[i]) > 0 ? ng : batch.n[i];
-        batch.ng.x[i] = own.x, batch.ng.y[i] = own.y, batch.ng.z[i] = own.z;
+        batch.ng.push_back(own);
         batch.roughness.push_back(std::pow(0.05f + 0.6f * std::abs(std::sin(3 * p.y)), 2.0f));
         batch.rotation.push_back(p.x);
         batch.weight.push_back(0.5f + p.y * p.y);

@@ -67,8 +67,8 @@ TEST(Surfaces, BatchesHoldUnitVectorsThatFaceTheCamera) {
         EXPECT_NEAR(batch.wo[i].length(), 1, 1e-5);
         EXPECT_NEAR(batch.t[i].dot(batch.n[i]), 0, 1e-5);
         EXPECT_GT(batch.n[i].dot(batch.wo[i]), 0);
-        EXPECT_EQ(batch.n[i], batch.ng[i]);
     }
+    EXPECT_TRUE(batch.ng.x.empty());
 }
 
 TEST(Surfaces, TangentsFromUvsFollowTheDirectionOfGrowingU) {

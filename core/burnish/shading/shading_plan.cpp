@@ -1,0 +1,174 @@
+#include <burnish/shading/shading_plan.h>
+
+#include <burnish/base/parallel.h>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burnish {
+namespace {
+
+constexpr float kCellPeriods = 0.19f;  // of a display signal from black to white, across a cell; by calibration
+constexpr float kDiagonal = 0.7071f;   // from a cell's centre to its corner, in sides
+constexpr int kTop = CellTurning::kLevels - 1;
+constexpr int kSmallestAlone = 1;  // level of 4 pixels: at edges smaller cells are not worth a prediction of their own
+constexpr int kTile = 8;           // blocks a side that are planned at once
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+
+/// A cell of one level, and what the prediction for the larger one that it is part of found, if there was one.
+struct Cell {
+    int level, column, row;
+    float reach = kUnknown, others = 0;  // others: motion besides the normals', radian per pixel
+
+    int size() const { return CellTurning::cell_size(level); }
+    Cell child(int k) const { return {level - 1, 2 * column + k % 2, 2 * row + k / 2, reach, others}; }
+};
+
+}  // namespace
+
+/// Plans tiles of the frame one after the other; tiles share nothing.
+struct ShadingPlan::Planner {
+    const Surfaces& surfaces;
+    const Assignment& assignment;
+    std::span<const BandwidthPredictor> predictors;
+    ShadingPlan& plan;
+    std::vector<Cell> cells = {}, next = {}, own = {};  // of one level: to be settled; of the next one; of one rule
+    SurfaceBatch centres = {}, neighbours = {};
+    std::vector<AngularPrediction> predictions = {};
+
+    void plan_tile(int first_column, int first_row) {
+        cells.clear();
+        for (int row = first_row; row < std::min(first_row + kTile, plan.m_block_rows); ++row)
+            for (int column = first_column; column < std::min(first_column + kTile, plan.m_block_columns); ++column)
+                if (plan.is_empty(column, row))
+                    set_size({kTop, column, row}, kBlock);
+                else
+                    cells.push_back({kTop, column, row});
+        for (; !cells.empty(); std::swap(cells, next)) plan_level();
+    }
+
+    /// Settles the cells that one prediction holds for; the others' quarters are next.
+    void plan_level() {
+        next.clear();
+        std::erase_if(cells, [&](const Cell& cell) {
+            const bool is_predictable = motion_of(cell) * extent_of(cell) <= cell.reach && std::isfinite(turning_of(cell));
+            if (!is_predictable) split(cell);
+            return !is_predictable;
+        });
+        for (size_t rule = 0; rule < predictors.size(); ++rule) predict(static_cast<int>(rule));
+    }
+
+    float turning_of(const Cell& cell) const { return plan.m_turning.at(cell.level, cell.column, cell.row); }
+    float motion_of(const Cell& cell) const { return 2 * turning_of(cell) + cell.others; }
+    static float extent_of(const Cell& cell) { return kDiagonal * static_cast<float>(cell.size()); }
+    uint32_t centre_of(const Cell& cell) const {
+        const int half = cell.size() / 2, x = cell.column * cell.size() + half, y = cell.row * cell.size() + half;
+        return static_cast<uint32_t>(y) * static_cast<uint32_t>(assignment.width) + static_cast<uint32_t>(x);
+    }
+
+    void predict(int rule) {
+        own.clear(), centres.clear();
+        for (const Cell& cell : cells) {
+            const uint32_t pixel = centre_of(cell);
+            if (assignment.rule[pixel] == rule) own.push_back(cell), centres.pixel.push_back(pixel);
+        }
+        if (own.empty()) return;
+        const BatchNeeds needs = predictors[static_cast<size_t>(rule)].needs();
+        surfaces.fill(centres, needs);
+        predictions.resize(own.size());
+        predictors[static_cast<size_t>(rule)].predict(centres, predictions);
+        add_other_motion(needs);
+        for (size_t i = 0; i < own.size(); ++i) {
+            own[i].reach = predictions[i].reach;
+            if (motion_of(own[i]) * extent_of(own[i]) <= own[i].reach)
+                settle(own[i], predictions[i].nu_a);
+            else
+                split(own[i]);
+        }
+    }
+
+    /// Radian per pixel that the view turns, and the lobe's far end with its tangent, from the centres to their neighbours. What was
+    /// found for a larger cell holds for its parts.
+    void add_other_motion(const BatchNeeds& needs) {
+        neighbours.clear();
+        for (size_t i = 0; i < own.size(); ++i)
+            if (own[i].reach == kUnknown)
+                for (const int step : {1, assignment.width})
+                    neighbours.pixel.push_back(centres.pixel[i] + static_cast<uint32_t>(step));
+        if (neighbours.pixel.empty()) return;
+        surfaces.fill(neighbours, needs);
+        for (size_t i = 0, k = 0; i < own.size(); ++i) {
+            if (own[i].reach != kUnknown) continue;
+            for (int side = 0; side < 2; ++side, ++k) {
+                float change = (neighbours.wo[k] - centres.wo[i]).length();
+                if (const float length = predictions[i].length; length > 0)
+                    change += length * (neighbours.t[k] - centres.t[i]).length();
+                own[i].others = std::max(own[i].others, change);
+            }
+        }
+    }
+
+    void split(const Cell& cell) {
+        if (cell.level == 0 || (cell.level == kSmallestAlone && cell.reach == kUnknown)) return set_size(cell, 1);
+        for (int k = 0; k < 4; ++k) next.push_back(cell.child(k));
+    }
+
+    /// Makes the cell as large as nu_a lets it, or else its quarters.
+    void settle(const Cell& cell, float nu_a) {
+        if (static_cast<float>(cell.size()) * motion_of(cell) * nu_a <= kCellPeriods) return set_size(cell, cell.size());
+        if (cell.level == 0) return set_size(cell, 1);
+        for (int k = 0; k < 4; ++k) settle(cell.child(k), nu_a);
+    }
+
+    void set_size(const Cell& cell, int size) {
+        const int across = cell.size() / 2;
+        for (int j = cell.row * across; j < (cell.row + 1) * across; ++j)
+            std::fill_n(&plan.m_sizes[static_cast<size_t>(j) * static_cast<size_t>(plan.m_columns) +
+                                      static_cast<size_t>(cell.column * across)],
+                        across, static_cast<uint8_t>(size));
+    }
+};
+
+ShadingPlan::ShadingPlan(const CellTurning& turning, const Surfaces& surfaces, const Assignment& assignment,
+                         std::span<const BandwidthPredictor> predictors)
+    : m_turning(turning),
+      m_block_columns(turning.columns(kTop)),
+      m_block_rows(turning.rows(kTop)),
+      m_columns(turning.columns(0)),
+      m_sizes(static_cast<size_t>(m_columns) * static_cast<size_t>(turning.rows(0))),
+      m_corners(static_cast<size_t>(m_block_columns) * static_cast<size_t>(m_block_rows)) {
+    tbb::enumerable_thread_specific<Planner> planners([&] { return Planner{surfaces, assignment, predictors, *this}; });
+    const int tiles_across = (m_block_columns + kTile - 1) / kTile, tiles_down = (m_block_rows + kTile - 1) / kTile;
+    for_each_index(tiles_across * tiles_down,
+                   [&](int tile) { planners.local().plan_tile(tile % tiles_across * kTile, tile / tiles_across * kTile); });
+    for_each_index(m_block_rows, [&](int row) {
+        for (int column = 0; column < m_block_columns; ++column)
+            m_corners[static_cast<size_t>(row) * static_cast<size_t>(m_block_columns) + static_cast<size_t>(column)] =
+                find_corners(column, row);
+    });
+}
+
+ShadingPlan::Corners ShadingPlan::find_corners(int column, int row) const {
+    Corners corners{};
+    if (is_empty(column, row)) return corners;
+    const int i0 = column * kBlock / 2, j0 = row * kBlock / 2;
+    for (int j = 0; j < kBlock / 2; ++j) {
+        uint32_t even = 0, odd = 0;  // rows 2 j and 2 j + 1
+        for (int i = 0; i < kBlock / 2; ++i) {
+            const int own = cell_size(i0 + i, j0 + j), left = std::min(own, cell_size(i0 + i - 1, j0 + j)),
+                      above = std::min(own, cell_size(i0 + i, j0 + j - 1)),
+                      smallest = std::min({left, above, cell_size(i0 + i - 1, j0 + j - 1)});
+            even |= static_cast<uint32_t>(((2 * i | 2 * j) & (smallest - 1)) == 0) << (2 * i);
+            even |= static_cast<uint32_t>(above == 1) << (2 * i + 1);
+            odd |= static_cast<uint32_t>(left == 1) << (2 * i) | static_cast<uint32_t>(own == 1) << (2 * i + 1);
+        }
+        corners[static_cast<size_t>(2 * j)] = static_cast<uint16_t>(even);
+        corners[static_cast<size_t>(2 * j + 1)] = static_cast<uint16_t>(odd);
+    }
+    return corners;
+}
+
+}  // namespace burnish
