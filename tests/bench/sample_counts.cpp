@@ -214,7 +214,7 @@ private:
         few.kind = EstimatorKind::regular, few.samples = kFewestLookups;
         const TapRule rule(lobe, few, [&](float omega) { return light.pyramid().level(omega) + few.level_bias; });
         const TapTable table(lobe, rule.tap_count(lobe.mx, lobe.my), rule);
-        std::vector<Color3f> overlay(m_batch.size());
+        std::vector<Color3f> overlay(m_batch.size(), Color3f(0));
         std::vector<float> samples(m_batch.size()), square(m_batch.size()), weight(m_batch.size());
         const auto& stack = light.pyramid().stack();
         add_table_shading({lobe, table, stack, CubePyramid::kDistortion, light.world_to_light(), light.gain()}, m_batch,

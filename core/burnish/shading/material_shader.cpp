@@ -91,7 +91,7 @@ struct MaterialShader::LobeShader {
     std::vector<int> first_passes(const SurfaceBatch& batch, ShadedBatch& out) const {
         std::vector<int> passes(batch.size(), kMinPasses);
         if (few.tap_count() == 0) return passes;
-        std::vector<Color3f> overlay(batch.size());
+        std::vector<Color3f> overlay(batch.size(), Color3f(0));
         std::vector<float> square(batch.size()), weight(batch.size());
         add_table_shading(prediction(), batch, {overlay, out.samples, square, weight});
         const int fewest = light.discs().empty() ? 1 : kMinPasses;

@@ -100,7 +100,7 @@ TEST(Adaptive, KnowsTheVarianceUnderTheLobe) {
     const TapRule rule(lobe, estimator(EstimatorKind::regular, 4, false),
                        [&](float omega) { return light.pyramid().level(omega); });
     const TapTable table(lobe, rule.tap_count(lobe.mx, lobe.my), rule);
-    std::vector<Color3f> overlay(batch.size());
+    std::vector<Color3f> overlay(batch.size(), Color3f(0));
     std::vector<float> samples(batch.size()), square(batch.size()), weight(batch.size());
     add_table_shading({lobe, table, light.pyramid().stack(), CubePyramid::kDistortion, light.world_to_light(), light.gain()},
                       batch, {overlay, samples, square, weight});
