@@ -158,7 +158,7 @@ private:
     static ShadedFrame shade(const Surfaces& surfaces, const Assignment& assignment, const Light& light,
                              const LobeParameters& lobe, const EstimatorSettings& settings) {
         return shade_dense(surfaces, assignment, {MaterialShader({"bench", Color3f(0), {lobe}}, light.environment, settings)},
-                           {});
+                           {}, true);
     }
 
     std::vector<Point> points(const Light& light, const LobeParameters& lobe, EstimatorKind kind, bool adaptive,
