@@ -34,6 +34,7 @@ const std::map<std::string, PyramidKernel> kKernels{
 const std::map<std::string, EstimatorKind> kEstimators{{"fitted", EstimatorKind::fitted},
                                                        {"regular", EstimatorKind::regular},
                                                        {"filtered_importance", EstimatorKind::filtered_importance},
+                                                       {"preconvolved", EstimatorKind::preconvolved},
                                                        {"split_sum", EstimatorKind::split_sum}};
 const std::map<std::string, Quadrature> kQuadratures{
     {"half_vector", Quadrature::half_vector}, {"energy", Quadrature::energy}, {"energy_squared", Quadrature::energy_squared}};
@@ -152,7 +153,7 @@ int main(int argc, char** argv) {
     app.add_option("--samples", sweep.samples, "lookups")->delimiter(',')->capture_default_str();
     app.add_option("--biases", sweep.biases, "level biases")->delimiter(',')->capture_default_str();
     app.add_option("--borders", sweep.borders, "xi0; 0 = default")->delimiter(',')->capture_default_str();
-    app.add_option("--estimators", sweep.estimators, "fitted, regular, filtered_importance, split_sum")
+    app.add_option("--estimators", sweep.estimators, "fitted, regular, filtered_importance, preconvolved, split_sum")
         ->delimiter(',')
         ->capture_default_str();
     app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")

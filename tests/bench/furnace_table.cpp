@@ -30,6 +30,7 @@ SurfaceBatch points_at(const std::vector<float>& angles_deg) {
 
 const char* estimator_name(EstimatorKind kind) {
     if (kind == EstimatorKind::fitted) return "fitted";
+    if (kind == EstimatorKind::preconvolved) return "preconvolved";
     return kind == EstimatorKind::regular ? "regular" : "filtered_importance";
 }
 
@@ -54,7 +55,8 @@ int main(int argc, char** argv) {
     for (const float angle : kAngles_deg) std::printf(" %4.0f deg", angle);
     std::printf("\n");
     for (const ModelId model : {ModelId::kurt, ModelId::beckmann, ModelId::ggx})
-        for (const EstimatorKind kind : {EstimatorKind::fitted, EstimatorKind::regular, EstimatorKind::filtered_importance})
+        for (const EstimatorKind kind :
+             {EstimatorKind::fitted, EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::preconvolved})
             for (const bool corrected : {false, true})
                 for (const float m : kWidths) {
                     LobeParameters lobe;

@@ -78,12 +78,16 @@ void add_quality(std::vector<Setting>& table) {
                                           {{"fitted", EstimatorKind::fitted},
                                            {"regular", EstimatorKind::regular},
                                            {"filtered_importance", EstimatorKind::filtered_importance},
+                                           {"preconvolved", EstimatorKind::preconvolved},
                                            {"split_sum", EstimatorKind::split_sum},
                                            {"reference", EstimatorKind::reference}},
                                           "how the reflection is integrated; reference is slow and measures its own error"));
     table.push_back(integer({"samples", "quality", "samples"}, AT(estimator.samples), {0, 4096}, "",
                             "lookups per lobe and pixel; 0: as the estimator needs; fitted takes up to 16, regular the pattern "
                             "nearest to it"));
+    table.push_back(boolean({"adaptive_samples", "quality", "adaptive_samples"}, AT(estimator.adaptive),
+                            "fewer lookups where the light varies little inside the lobe, samples being the most of a pixel; "
+                            "regular, filtered_importance, preconvolved; reference: looks at its error as soon as that says"));
     table.push_back(choice<PatternKind>({"pattern", "quality", "pattern"}, AT(estimator.pattern),
                                         {{"auto", PatternKind::automatic},
                                          {"circles", PatternKind::circles},

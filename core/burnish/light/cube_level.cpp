@@ -13,8 +13,10 @@ void CubeLevel::fill(const std::array<Image, 6>& faces) {
     for_each_index(6 * m_size, [&](int row) {
         const int face = row / m_size, y = row % m_size;
         for (int x = 0; x < m_size; ++x) {
-            std::copy_n(faces[face].at(x, y), 3, at(face, x, y));
-            at(face, x, y)[3] = 0.0f;
+            float* texel = at(face, x, y);
+            std::copy_n(faces[face].at(x, y), 3, texel);
+            const float y709 = luminance({texel[0], texel[1], texel[2]});
+            texel[3] = y709 * y709;
         }
     });
     fill_borders();

@@ -10,9 +10,10 @@
 
 namespace burnish {
 
-/// RGBA texels (A unused, for alignment), six faces of (size + 2)^2. A border texel is the neighbouring face's texel beyond
+/// RGBA texels, six faces of (size + 2)^2. A border texel is the neighbouring face's texel beyond
 /// the edge; a border corner is the mean of the three texels that meet there, which makes bilinear lookups continuous.
-/// Copies share their texels.
+/// Copies share their texels. A is what `fill` makes of a map: its luminance squared, of which filtered levels hold the mean, so
+/// that lookups know how much the light varies within their filter (variance = A - luminance^2).
 class CubeLevel {
 public:
     CubeLevel() = default;

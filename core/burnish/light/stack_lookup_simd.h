@@ -41,7 +41,7 @@ struct TapQueue {
     HWY_ALIGN int32_t fine[kRoom], fine_below[kRoom], coarse[kRoom], coarse_below[kRoom];
     HWY_ALIGN float fine_y[kRoom], coarse_y[kRoom];  // share of the lower row
     HWY_ALIGN float columns[kRoom][4];               // weights: fine left, fine right, coarse left, coarse right
-    HWY_ALIGN float weight[kRoom][4];                // RGB
+    HWY_ALIGN float weight[kRoom][4];                // of R, G, B and A
 };
 
 /// Entry k of a table of levels, k in [0, kShortTable) or any k of a longer table.
@@ -152,7 +152,7 @@ HWY_INLINE void sum_of_pairs(const Texels& texels, const TapQueue& queue, size_t
 }
 #endif
 
-/// Adds up `count` queued lookups from `first` on: RGB and a fourth number without meaning.
+/// Adds up `count` queued lookups from `first` on, each channel by its own weight.
 HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue, size_t first, size_t count, float* rgba) {
     const auto texel = [&](int32_t offset) { return stack.rgba + 4 * static_cast<size_t>(offset); };
 #if HWY_MAX_BYTES >= 32

@@ -3,9 +3,10 @@
 
 namespace burnish {
 
-/// `fitted`: a few Gaussians fitted to the lobe, but `regular` where those do not do (see MaterialShader); `regular`: the sources' patterns; `filtered_importance`: Colbert & Krivanek;
+/// `fitted`: a few Gaussians fitted to the lobe, but `regular` where those do not do (see MaterialShader); `regular`: the
+/// sources' patterns; `filtered_importance`: Colbert & Krivanek; `preconvolved`: Bandwidth IV.3.5;
 /// `split_sum`: one prefiltered lookup, as real-time engines do; `reference`: converges to the exact integral.
-enum class EstimatorKind { fitted, regular, filtered_importance, split_sum, reference };
+enum class EstimatorKind { fitted, regular, filtered_importance, preconvolved, split_sum, reference };
 
 /// Shapes of the `regular` pattern: `circles` = equally spaced circles (Regular 5), `offset_circles` = the same without a
 /// sample at the centre, `ring` = 1 + one ring, `line` = along the elongation, `tuned` = fitted to lights, 3 to 30
@@ -18,6 +19,9 @@ enum class Quadrature { half_vector, energy, energy_squared };
 struct EstimatorSettings {
     EstimatorKind kind = EstimatorKind::fitted;
     int samples = 0;  // lookups per lobe, 0 = by estimator (lookup_count); `regular` takes the pattern nearest to it
+    bool adaptive =
+        false;  // fewer lookups where the light varies little inside the lobe, `samples` at the most (sample_ladder.h);
+                // regular, filtered_importance, preconvolved; reference: where its first look at its error is
     PatternKind pattern = PatternKind::automatic;
     float border = 0.0f;  // xi0: the lobe ends where this share of its energy lies beyond, (0, 1); 0 = by sample count
     Quadrature quadrature = Quadrature::half_vector;
@@ -29,11 +33,12 @@ struct EstimatorSettings {
 
 inline constexpr int kMostFitted = 16;  // lookups: beyond it a fit gains nothing
 
-/// Lookups per lobe and pixel of a few-sample estimator.
+/// Lookups per lobe and pixel of a few-sample estimator; adaptive: the most of a pixel, by default twice as many.
 inline int lookup_count(const EstimatorSettings& settings) {
     if (settings.kind == EstimatorKind::split_sum) return 1;
-    const bool fitted = settings.kind == EstimatorKind::fitted;
-    const int count = settings.samples > 0 ? settings.samples : fitted ? 6 : 19;
+    const bool fitted = settings.kind == EstimatorKind::fitted, preconvolved = settings.kind == EstimatorKind::preconvolved;
+    const int by_estimator = fitted ? 6 : preconvolved ? 32 : 19;
+    const int count = settings.samples > 0 ? settings.samples : settings.adaptive && !fitted ? by_estimator * 2 : by_estimator;
     return fitted && count > kMostFitted ? kMostFitted : count;
 }
 

@@ -19,7 +19,7 @@ inline Vec3f lifted(const Vec3f& wi, float side_sign) {
 
 /// Writes one tap per sample, taps.size() samples. `level_of(Omega)` gives the level that filters over Omega steradian.
 template <class LobeType, class LevelOf>
-void filtered_importance_taps(const LobeType& lobe, const ShadingPoint& point, const LevelOf& level_of, std::span<Tap> taps) {
+void importance_taps(const LobeType& lobe, const ShadingPoint& point, const LevelOf& level_of, std::span<Tap> taps) {
     const uint32_t samples = static_cast<uint32_t>(taps.size());
     for (uint32_t i = 0; i < samples; ++i) {
         const Vec3f wi = lobe.sample(point.wo, hammersley(i, samples)), above = lifted(wi, lobe.side_sign);

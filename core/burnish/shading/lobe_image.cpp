@@ -14,6 +14,12 @@ DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy) {
     return {along({1, 0, 0}), along({0, 1, 0})};
 }
 
+Vec2f widening(const Vec3f& wo, float sigma) {
+    const DirectionSlopes J = direction_slopes(wo, 0, 0);
+    const float xx = J.x.dot(J.x), xy = J.x.dot(J.y), yy = J.y.dot(J.y), scale = 2 * sigma * sigma / (xx * yy - xy * xy);
+    return {scale * yy, scale * xx};
+}
+
 LobeImage lobe_image(const Vec3f& wo, float mx, float my) {
     const DirectionSlopes J = direction_slopes(wo, 0, 0);
     const float sx = mx / std::sqrt(2.0f), sy = my / std::sqrt(2.0f);

@@ -15,6 +15,10 @@ struct DirectionSlopes {
 };
 DirectionSlopes direction_slopes(const Vec3f& wo, float sx, float sy);
 
+/// What a blur of directions by `sigma` rad about the mirror direction widens the slopes by, as the widths' squares:
+/// 2 sigma^2 (J^T J)^-1. At most the squares of mx and my themselves where sigma is at most LobeImage::minor.
+Vec2f widening(const Vec3f& wo, float sigma);
+
 /// Standard deviations along both axes, rad, and the longer axis in slopes, one deviation long.
 struct LobeImage {
     float major, minor;

@@ -70,13 +70,6 @@ float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
     return std::min(std::max(detail, closing), 0.35f * image.major);
 }
 
-/// What a blur of the light by `blur` rad widens the slopes by, as the widths' squares: 2 blur^2 (J^T J)^-1, J = d wi / d slopes.
-Vec2f widening(const Vec3f& wo, float blur) {
-    const DirectionSlopes J = direction_slopes(wo, 0, 0);
-    const float xx = J.x.dot(J.x), xy = J.x.dot(J.y), yy = J.y.dot(J.y), scale = 2 * blur * blur / (xx * yy - xy * xy);
-    return {scale * yy, scale * xx};
-}
-
 }  // namespace
 
 LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half, int taps) {

@@ -3,6 +3,7 @@
 #include <burnish/light/stack_lookup.h>
 #include <burnish/material/lobe.h>
 #include <burnish/sampling/tuned_patterns.h>
+#include <burnish/shading/adaptive_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/reference.h>
@@ -22,7 +23,9 @@ struct MaterialShader::LobeShader {
             settings.kind = EstimatorKind::regular, settings.samples = 0;
         settings.samples = lookup_count(settings);
         switch (settings.kind) {
-            case EstimatorKind::reference: break;
+            case EstimatorKind::reference:
+                if (settings.adaptive) prepare_prediction();
+                break;
             case EstimatorKind::fitted: prepare_fitted(); break;
             case EstimatorKind::split_sum: prepare_split_sum(); break;
             default: prepare_rule();
@@ -50,17 +53,87 @@ struct MaterialShader::LobeShader {
         table = std::move(split.table), stack = std::move(split.filtered);
     }
 
+    TapRule::LevelOf level_of() const {
+        if (settings.kind == EstimatorKind::preconvolved)
+            return [this](float sigma) { return light.gaussian_stack().level(sigma); };
+        return [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; };
+    }
+
     void prepare_rule() {
-        stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
-        rule.emplace(lobe, settings, [this](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
+        if (settings.kind == EstimatorKind::preconvolved)
+            stack = light.gaussian_stack().stack();
+        else
+            stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
+        rule.emplace(lobe, settings, level_of());
         const int taps = rule->tap_count(lobe.mx, lobe.my);
-        if (TapTable::covers(lobe, taps)) table = TapTable(lobe, taps, *rule);
+        if (!TapTable::covers(lobe, taps)) return;
+        if (settings.adaptive)
+            prepare_ladder(taps);
+        else
+            table = TapTable(lobe, taps, *rule);
+    }
+
+    /// For an adaptive `reference` or `preconvolved`: a few lookups of `regular` in the pyramid, whose fourth channel holds squares.
+    void prepare_prediction() {
+        EstimatorSettings fewest;
+        fewest.kind = EstimatorKind::regular, fewest.samples = kFewestLookups;
+        const TapRule few_taps(lobe, fewest, [this](float omega) { return light.pyramid().level(omega); });
+        const int taps = few_taps.tap_count(lobe.mx, lobe.my);
+        if (TapTable::covers(lobe, taps)) few = TapTable(lobe, taps, few_taps);
+    }
+
+    TableShading prediction() const {
+        return {lobe, few, light.pyramid().stack(), CubePyramid::kDistortion, light.world_to_light(), light.gain()};
+    }
+
+    /// Passes until `reference` first looks at the error of each pixel. Where there are suns, of which the prediction knows
+    /// nothing, never early.
+    std::vector<int> first_passes(const SurfaceBatch& batch, ShadedBatch& out) const {
+        std::vector<int> passes(batch.size(), kMinPasses);
+        if (few.tap_count() == 0) return passes;
+        std::vector<Color3f> overlay(batch.size(), Color3f(0));
+        std::vector<float> square(batch.size()), weight(batch.size());
+        add_table_shading(prediction(), batch, {overlay, out.samples, square, weight});
+        const int fewest = light.discs().empty() ? 1 : kMinPasses;
+        for (size_t i = 0; i < batch.size(); ++i) {
+            const float deviation = std::sqrt(relative_variance(luminance(overlay[i]), square[i], weight[i]));
+            passes[i] = std::max(fewest, predicted_passes(deviation, settings.tolerance));
+        }
+        return passes;
+    }
+
+    /// `regular` may have one pattern for two of the counts.
+    void prepare_ladder(int most) {
+        ladder.full_deviation = full_deviation(settings.kind);
+        if (settings.kind == EstimatorKind::preconvolved) prepare_prediction();
+        for (const int count : sample_ladder(most)) {
+            EstimatorSettings fewer = settings;
+            fewer.samples = count;
+            const TapRule rung(lobe, fewer, level_of());
+            const int taps = rung.tap_count(lobe.mx, lobe.my);
+            if (!ladder.counts.empty() && taps <= ladder.counts.back()) continue;
+            ladder.counts.push_back(taps), ladder.tables.emplace_back(lobe, taps, rung);
+        }
+    }
+
+    TableShading with(const TapTable& own) const {
+        return {lobe, own, stack, distortion, light.world_to_light(), light.gain()};
     }
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {
-        if (table.tap_count() == 0) return add_tap_by_tap(batch, out);
-        add_table_shading({lobe, table, stack, distortion, light.world_to_light(), light.gain()}, batch,
-                          {out.overlay, out.samples, {}});
+        if (!ladder.tables.empty())
+            add_by_ladder(batch, out);
+        else if (table.tap_count() > 0)
+            add_table_shading(with(table), batch, {out.overlay, out.samples, {}, {}});
+        else
+            add_tap_by_tap(batch, out);
+    }
+
+    void add_by_ladder(const SurfaceBatch& batch, ShadedBatch& out) const {
+        const TableShading shading = with(ladder.tables.back());
+        if (few.tap_count() == 0) return add_adaptive_shading(shading, ladder, nullptr, batch, out.overlay, out.samples);
+        const TableShading predicting = prediction();
+        add_adaptive_shading(shading, ladder, &predicting, batch, out.overlay, out.samples);
     }
 
     /// Where each pixel has to make its own taps.
@@ -104,11 +177,12 @@ struct MaterialShader::LobeShader {
 
     template <class LobeType>
     void add_reference(const LobeType& prototype, const SurfaceBatch& batch, ShadedBatch& out, uint32_t lobe_index) const {
+        const std::vector<int> passes = first_passes(batch, out);
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
             const uint32_t seed = hash_bits(batch.pixel[i] ^ lobe_index * 0xc2b2ae35u);
             const ReferenceEstimate estimate =
-                reference_estimate(prototype.with_widths(point.mx, point.my), light, settings, point, seed);
+                reference_estimate(prototype.with_widths(point.mx, point.my), light, settings, point, seed, passes[i]);
             const Color3f scale = point.scale * light.gain();
             out.overlay[i] += estimate.mean * scale;
             out.standard_error[i] = std::hypot(out.standard_error[i], estimate.standard_error * luminance(scale));
@@ -120,7 +194,9 @@ struct MaterialShader::LobeShader {
     EstimatorSettings settings;
     const Environment& light;
     std::optional<TapRule> rule;
-    TapTable table;        // empty where anisotropy comes from a layer
+    TapTable table;        // empty where anisotropy comes from a layer, and where there is a ladder
+    TableLadder ladder;    // adaptive only
+    TapTable few;          // what predicts for an adaptive reference or preconvolved
     CubeStack stack;       // what taps read, a handle
     float distortion = 0;  // levels a tap gains where the cube's texels are small
 };

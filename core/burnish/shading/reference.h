@@ -11,6 +11,7 @@
 #include <burnish/sampling/sequence.h>
 #include <burnish/shading/shading_point.h>
 
+#include <algorithm>
 #include <array>
 
 namespace burnish {
@@ -26,6 +27,14 @@ inline constexpr int kPassPoints = 4;   // points each sequence adds per pass
 inline constexpr int kMinPasses =
     16;  // 2048 lookups: fewer may miss a small lamp altogether, and then the spread knows nothing of it
 inline constexpr int kPassLookups = 2 * kReplicates * kPassPoints;
+
+/// Passes after which a first look at the error pays, for light of this relative standard deviation under the lobe: about half of
+/// what pixels like it need in the end (docs/measured.md); lookups go like tolerance^(-4/3).
+inline int predicted_passes(float deviation, float tolerance) {
+    constexpr float kTypicalDeviation = 0.4f, kTypicalTolerance = 0.005f, kFewest = 4, kMost = 64;
+    const float passes = kMinPasses * (deviation / kTypicalDeviation) * std::pow(kTypicalTolerance / tolerance, 4.0f / 3);
+    return static_cast<int>(std::clamp(passes, kFewest, kMost));
+}
 
 /// Point `index` of one sequence: a lobe sample and a light sample.
 template <class LobeType>
@@ -55,10 +64,11 @@ inline ReferenceEstimate summary(const std::array<Color3f, kReplicates>& sums, i
     return result;
 }
 
-/// Passes until the standard error is below `tolerance` of the mean, or until `max_samples` lookups. `seed` from the pixel.
+/// Passes until the standard error is below `tolerance` of the mean, looked at from `first_passes` on, or until `max_samples`
+/// lookups. `seed` from the pixel.
 template <class LobeType>
 ReferenceEstimate reference_estimate(const LobeType& lobe, const Environment& light, const EstimatorSettings& settings,
-                                     const ShadingPoint& point, uint32_t seed) {
+                                     const ShadingPoint& point, uint32_t seed, int first_passes = kMinPasses) {
     std::array<Color3f, kReplicates> sums;
     sums.fill(Color3f(0, 0, 0));
     for (int points = kPassPoints;; points += kPassPoints) {
@@ -67,7 +77,7 @@ ReferenceEstimate reference_estimate(const LobeType& lobe, const Environment& li
                 sums[r] += reference_pair(lobe, light, point, i, hash_bits(seed, 2 + r));
         const ReferenceEstimate result = summary(sums, points);
         const bool converged =
-            points >= kMinPasses * kPassPoints && result.standard_error <= settings.tolerance * luminance(result.mean);
+            points >= first_passes * kPassPoints && result.standard_error <= settings.tolerance * luminance(result.mean);
         if (converged || result.lookups + kPassLookups > settings.max_samples) return result;
     }
 }

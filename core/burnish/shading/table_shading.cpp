@@ -97,8 +97,9 @@ HWY_INLINE Color3f pixel_scale(const LobeParameters& lobe, const SurfaceBatch& b
 
 /// What a block of pixels comes to.
 struct BlockSums {
+    bool of_weights;  // whether `weight` is asked for
     Color3f light[PixelBlock::kPixels];
-    float fourth[PixelBlock::kPixels];
+    float fourth[PixelBlock::kPixels], weight[PixelBlock::kPixels];
     size_t lookups[PixelBlock::kPixels];
 };
 
@@ -116,6 +117,7 @@ void add_taps(const TableShading& shading, const PixelBlock& block, size_t begin
         float rgba[4];
         queued_sum(shading.stack.layout(), queue, i, ends[p] - i, rgba);
         sums.light[p] += Color3f(rgba[0], rgba[1], rgba[2]), sums.fourth[p] += rgba[3];
+        for (size_t tap = i; sums.of_weights && tap < ends[p]; ++tap) sums.weight[p] += queue.weight[tap][3];
         sums.lookups[p] += ends[p] - i;
     }
 }
@@ -125,7 +127,9 @@ void shade_block(const TableShading& shading, const PixelBlock& block, size_t co
                  BlockSums& sums) {
     const size_t all = static_cast<size_t>(shading.table.tap_count());
     const size_t at_once = std::max<size_t>(TapQueue::kCapacity / all, 1);
+    const bool of_weights = sums.of_weights;
     sums = {};
+    sums.of_weights = of_weights;
     for (size_t begin = 0; begin < count; begin += at_once)
         for (size_t tap = 0; tap < all; tap += TapQueue::kCapacity)
             add_taps(shading, block, begin, std::min(begin + at_once, count), tap, std::min(all - tap, TapQueue::kCapacity),
@@ -136,7 +140,8 @@ void shade_batch(const TableShading& shading, const SurfaceBatch& batch, const T
     PixelBlock block;
     PlacedTaps taps;
     TapQueue queue;
-    BlockSums sums;
+    BlockSums sums{};
+    sums.of_weights = !out.weight.empty();
     const Color3f gain = shading.lobe.tint * shading.lobe.strength * shading.gain;
     for (size_t begin = 0; begin < batch.size(); begin += PixelBlock::kPixels) {
         const size_t count = std::min(PixelBlock::kPixels, batch.size() - begin);
@@ -147,6 +152,7 @@ void shade_batch(const TableShading& shading, const SurfaceBatch& batch, const T
             out.overlay[begin + i] += sums.light[i] * scale;
             out.samples[begin + i] += static_cast<float>(sums.lookups[i]);
             if (!out.fourth.empty()) out.fourth[begin + i] += sums.fourth[i] * luminance(scale);
+            if (!out.weight.empty()) out.weight[begin + i] += sums.weight[i] * luminance(scale);
         }
     }
 }

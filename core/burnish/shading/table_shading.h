@@ -24,9 +24,16 @@ struct TableSums {
     std::span<Color3f> overlay;
     std::span<float> samples;  // lookups it took: taps of no weight take none
     std::span<float> fourth;   // of the stack's fourth channel, taps weighted by their luminance; may be empty
+    std::span<float> weight;   // of those weights, as the overlay of light 1 would be; may be empty
 };
 
 /// Adds the lobe's overlay. The same pixel gives the same bits in whatever batch it comes.
 void add_table_shading(const TableShading& shading, const SurfaceBatch& batch, const TableSums& out);
+
+/// Variance of one importance sample of the lobe, over the square of its mean; >= 0. From the luminance of a lobe's overlay and
+/// its `fourth` and `weight`, where the stack's fourth channel holds squares.
+inline float relative_variance(float mean, float fourth, float weight) {
+    return mean > 0 ? std::max(fourth * weight / (mean * mean) - 1, 0.0f) : 0.0f;
+}
 
 }  // namespace burnish

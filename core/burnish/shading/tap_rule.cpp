@@ -2,6 +2,7 @@
 
 #include <burnish/material/lobe.h>
 #include <burnish/shading/filtered_importance.h>
+#include <burnish/shading/preconvolved.h>
 #include <burnish/shading/regular.h>
 
 namespace burnish {
@@ -19,7 +20,7 @@ TapRule::TapRule(const LobeParameters& lobe, const EstimatorSettings& settings, 
 }
 
 int TapRule::tap_count(float mx, float my) const {
-    if (m_settings.kind == EstimatorKind::filtered_importance) return m_settings.samples;
+    if (m_settings.kind != EstimatorKind::regular) return m_settings.samples;
     return static_cast<int>(m_patterns.at(mx, my).size());
 }
 
@@ -32,10 +33,11 @@ void TapRule::operator()(const ShadingPoint& point, std::span<Tap> taps) const {
 void TapRule::plain_taps(const ShadingPoint& point, std::span<Tap> taps) const {
     visit_lobe(m_lobe, [&](const auto& prototype) {
         const auto own = prototype.with_widths(point.mx, point.my);
-        if (m_settings.kind == EstimatorKind::filtered_importance)
-            filtered_importance_taps(own, point, m_level_of, taps);
-        else
-            regular_taps(own, m_patterns.at(point.mx, point.my), m_settings.quadrature, point, m_level_of, taps);
+        switch (m_settings.kind) {
+            case EstimatorKind::filtered_importance: return importance_taps(own, point, m_level_of, taps);
+            case EstimatorKind::preconvolved: return preconvolved_taps(own, point, m_level_of, taps);
+            default: regular_taps(own, m_patterns.at(point.mx, point.my), m_settings.quadrature, point, m_level_of, taps);
+        }
     });
 }
 

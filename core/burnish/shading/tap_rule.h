@@ -12,10 +12,10 @@ namespace burnish {
 
 class TapRule {
 public:
-    /// The level at which one texel covers this many steradian.
-    using LevelOf = std::function<float(float solid_angle)>;
+    /// The level that filters so widely: over a solid angle in steradian, for `preconvolved` over a Gaussian's width in radian.
+    using LevelOf = std::function<float(float size)>;
 
-    /// For `regular` and `filtered_importance`.
+    /// For `regular`, `filtered_importance` and `preconvolved`.
     TapRule(const LobeParameters& lobe, const EstimatorSettings& settings, LevelOf level_of);
 
     /// Taps of a lobe of these widths: the same number everywhere unless the anisotropy comes from a layer.

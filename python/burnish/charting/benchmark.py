@@ -19,6 +19,7 @@ LOOKUPS = {
     "fitted": (1, 2, 3, 4, 6, 8, 12),
     "regular": (4, 7, 12, 19, 30, 61),
     "filtered_importance": (4, 7, 16, 32, 64),
+    "preconvolved": (4, 7, 16, 32, 64),
     "split_sum": (1,),
 }
 """Estimator -> lookups asked for, in the order of the legend; `regular` takes the pattern nearest to each."""

@@ -14,7 +14,9 @@ from .table import by_estimator
 WIDTH_PX, ROW_PX, HEAD_PX, FOOT_PX, DPI = 1600, 420, 160, 75, 100
 LEFT = 0.065  # of the width: the margin
 INK, SOFT, FAINT = "#222222", "#555555", "#e4e4e4"
-COLOURS = {"fitted": "#0b62a4", "regular": "#d1495b", "filtered_importance": "#2e8b57", "split_sum": "#7b5ea7"}
+COLOURS = {
+    "fitted": "#0b62a4", "regular": "#d1495b", "filtered_importance": "#2e8b57", "preconvolved": "#c77d0a", "split_sum": "#7b5ea7",
+}
 NAME_HEIGHT, LETTER_WIDTH = 0.06, 0.0145  # of a panel
 NAME_SHARE = 0.36  # of a panel's width, added on the right for names
 AXES = {"lookups": "lookups per pixel", "shading_ns_per_pixel": "shading time per pixel, nanoseconds of one thread"}

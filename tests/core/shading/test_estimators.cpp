@@ -102,7 +102,7 @@ TEST(WhiteFurnace, RegularKeepsTheAlbedoUpToSixtyDegrees) {
 
 TEST(WhiteFurnace, AlbedoCorrectionHoldsAtGrazingAngles) {
     const Environment light = light_of(scenes::constant_light(1));
-    for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance})
+    for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::preconvolved})
         for (const LobeParameters& p :
              {lobe(ModelId::beckmann, 0.2f, 0.2f), lobe(ModelId::ggx, 0.3f, 0.3f), lobe(ModelId::kurt, 0.2f, 0.05f)})
             for (const float phi : {0.0f, 0.7f, 1.5f}) {
@@ -161,6 +161,50 @@ TEST(Regular, ApproachesTheReferenceAsSamplesGrow) {
     }
 }
 
+TEST(Preconvolved, ApproachesTheReferenceAsSamplesGrow) {
+    // Up to the part of the light that the filter takes and the lobe would have let through.
+    const Environment light = light_of(scenes::stress_light(5, 256));
+    const SurfaceBatch batch = fan(0.4f, 8);
+    EstimatorSettings exact = estimator(EstimatorKind::reference);
+    exact.tolerance = 1e-3f;
+    for (const auto& [p, bias] : {std::pair{lobe(ModelId::beckmann, 0.1f, 0.1f), 0.03},
+                                  {lobe(ModelId::kurt, 0.1f, 0.1f), 0.03},
+                                  {lobe(ModelId::ggx, 0.1f, 0.1f), 0.1},
+                                  {lobe(ModelId::beckmann, 0.2f, 0.075f), 0.05}}) {
+        const ShadedBatch truth = shade(material(p), light, exact, batch);
+        const auto error = [&, &p = p](int samples) {
+            const ShadedBatch out = shade(material(p), light, estimator(EstimatorKind::preconvolved, samples), batch);
+            double sum = 0;
+            for (size_t i = 0; i < batch.size(); ++i)
+                sum += std::abs(out.overlay[i].y - truth.overlay[i].y) / truth.overlay[i].y;
+            return sum / batch.size();
+        };
+        EXPECT_LT(error(1000), bias) << model_info(p.model).name;
+        EXPECT_LT(error(1000), 0.5 * error(32)) << model_info(p.model).name;
+        EXPECT_LT(error(32), 0.6 * error(4)) << model_info(p.model).name;
+    }
+}
+
+TEST(Preconvolved, BlursNoMoreThanTheLobe) {
+    // A small lamp through a smooth lobe: as sharp a highlight as the reference's, where filter and lobe one after the other would
+    // be wider by sqrt(1 + 0.6^2) and lower by the square of it.
+    Image lamp(512, 256, 3);
+    for (int y = 125; y < 131; ++y)
+        for (int x = 253; x < 259; ++x) std::fill_n(lamp.at(x, y), 3, 100.0f);
+    EnvironmentSettings kept;
+    kept.face_size = 256, kept.suns = Suns::keep, kept.convention = EnvironmentConvention::openexr;
+    const Environment light = Environment::from_image(lamp, kept, "lamp");
+    SurfaceBatch batch;
+    batch.pixel = {0};
+    const Vec3f up = Vec3f(0, 0, 1) * light.world_to_light().transposed();
+    for (Vec3Planes* planes : {&batch.n, &batch.ng, &batch.wo}) planes->push_back(up);
+    batch.p.push_back({0, 0, 0}), batch.t.push_back(Vec3f(0, 1, 0) - up * up.y);
+    const Material m = material(lobe(ModelId::beckmann, 0.1f, 0.1f));
+    const float peak = shade(m, light, estimator(EstimatorKind::reference), batch).overlay[0].y;
+    EXPECT_GT(peak, 1);
+    EXPECT_NEAR(shade(m, light, estimator(EstimatorKind::preconvolved, 500), batch).overlay[0].y / peak, 1, 0.05);
+}
+
 TEST(Regular, AllQuadraturesAgreeOnASmoothLight) {
     Image slope(64, 32, 3);
     for (size_t i = 0; i < slope.pixel_count(); ++i) std::fill_n(slope.at(i), 3, 1 + 0.5f * std::sin(i / 64 * kPi / 32));
@@ -186,7 +230,8 @@ TEST(Shading, TransmissionReadsTheLightBehind) {
     batch.pixel = {0};
     batch.p.push_back({0, 0, 0}), batch.n.push_back({0, 1, 0}), batch.ng.push_back({0, 1, 0}), batch.t.push_back({1, 0, 0});
     batch.wo.push_back(Vec3f(0.3f, 1, 0).normalized());
-    for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::reference}) {
+    for (const EstimatorKind kind :
+         {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::preconvolved, EstimatorKind::reference}) {
         p.side = Side::reflection;
         EXPECT_NEAR(shade(material(p), light, estimator(kind), batch).overlay[0].y, 0, 0.02);
         p.side = Side::transmission;
@@ -257,7 +302,8 @@ TEST(Shading, GivesTheSameBitsForAnyThreadCount) {
         return shade_dense(surfaces, assignment, {MaterialShader(material(lobe(ModelId::ggx, 0.1f, 0.1f)), light, settings)},
                            {});
     };
-    for (const EstimatorKind kind : {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::reference})
+    for (const EstimatorKind kind :
+         {EstimatorKind::regular, EstimatorKind::filtered_importance, EstimatorKind::preconvolved, EstimatorKind::reference})
         EXPECT_EQ(render(1, kind).overlay.data, render(2, kind).overlay.data);
 }
 
