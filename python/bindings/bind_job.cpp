@@ -6,6 +6,7 @@
 #include "python_progress.h"
 
 #include <burnish/base/parallel.h>
+#include <burnish/composite/sample_grid.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/run.h>
@@ -58,8 +59,20 @@ py::dict to_python(FrameResult&& result, const FrameReport& report) {
     return layers;
 }
 
-py::dict composite_frame(const py::object& arrays, const py::object& light, const py::object& masks, const py::dict& settings,
-                         const py::object& callback) {
+/// A frame from arrays, or from its file where there are none.
+AovFrame frame_from_python(const py::object& arrays, const Job& job, const Wardrobe& wardrobe, const std::string& file,
+                           FramePart part, PythonProgress& progress) {
+    std::map<Role, Image> layers;
+    if (!arrays.is_none()) layers = layers_from_python(arrays);
+    const std::string camera = part == FramePart::picture ? "" : job.camera;
+    return progress.run([&](const Progress&) {
+        return arrays.is_none() ? read_job_frame(job, wardrobe, file, camera, part)
+                                : frame_from_layers(std::move(layers), camera);
+    });
+}
+
+py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays, const py::object& light,
+                         const py::object& masks, const py::dict& settings, const py::object& callback) {
     Job job;
     set_settings(job, to_json(settings), "composite");
     job.output.diagnostics = true;
@@ -68,20 +81,21 @@ py::dict composite_frame(const py::object& arrays, const py::object& light, cons
     PythonProgress python_progress(callback);
     const ThreadLimit limit(job.threads);
     Wardrobe wardrobe = prepare_wardrobe(job);
-    std::map<Role, Image> layers;
-    if (!arrays.is_none()) layers = layers_from_python(arrays);
-    const AovFrame frame = python_progress.run([&](const Progress&) {
-        return arrays.is_none() ? read_job_frame(job, wardrobe, job.aovs, job.camera)
-                                : frame_from_layers(std::move(layers), job.camera);
-    });
+    const bool has_fine = !fine_arrays.is_none() || !job.fine_aovs.empty();
+    const FramePart part = has_fine ? FramePart::picture : FramePart::whole;
+    const AovFrame frame = frame_from_python(arrays, job, wardrobe, job.aovs, part, python_progress);
+    std::optional<AovFrame> fine;
+    if (has_fine) fine = frame_from_python(fine_arrays, job, wardrobe, job.fine_aovs, FramePart::surfaces, python_progress);
+    if (fine) check_samples(sample_grid(frame, *fine), frame, *fine);
+    const AovFrame* samples = fine ? &*fine : nullptr;
     const auto environment = light_from_python(job, light, frame.renderer);
     FrameReport report;
     FrameResult result = python_progress.run([&](const Progress& progress) {
         NamedValues<double> seconds;
         const Look look = timed(seconds, "tables", [&] { return prepare_look(job, std::move(wardrobe), environment); });
-        FrameResult done = run_frame(job, frame, look, assignment ? &*assignment : nullptr, progress);
+        FrameResult done = run_frame(job, frame, samples, look, assignment ? &*assignment : nullptr, progress);
         ColorFlow(job).to_output(done.composite);
-        report = frame_report(job, frame, look, done.tally);
+        report = frame_report(job, frame, samples, look, done.tally);
         report.seconds.insert(report.seconds.begin(), seconds.begin(), seconds.end());
         const auto add = [&](const auto& lines) { report.warnings.insert(report.warnings.end(), lines.begin(), lines.end()); };
         add(look.wardrobe.warnings), add(environment->warnings());
@@ -94,8 +108,8 @@ py::dict composite_frame(const py::object& arrays, const py::object& light, cons
 
 void bind_job(py::module_& module) {
     module.def("run", &run_job, py::arg("job"), py::arg("settings"), py::arg("progress"));
-    module.def("composite", &composite_frame, py::arg("frame"), py::arg("light"), py::arg("masks"), py::arg("settings"),
-               py::arg("progress"));
+    module.def("composite", &composite_frame, py::arg("frame"), py::arg("fine"), py::arg("light"), py::arg("masks"),
+               py::arg("settings"), py::arg("progress"));
 }
 
 }  // namespace burnish::python

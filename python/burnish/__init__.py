@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
 from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
 from . import _core, _documentation
+from ._bandwidth import local_bandwidth
 from .errors import (
     BadArgument,
     Cancelled,
@@ -92,6 +93,7 @@ def composite(
     light: _Path | _Array | Environment | None,
     materials: str | dict | None = None,
     *,
+    fine_aovs: dict | _Path | None = None,
     assign: list | dict | None = None,
     camera: dict | _Path | _Sequence[float] | None = None,
     progress: _Progress | None = None,
@@ -108,6 +110,9 @@ def composite(
         Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already.
     materials : str or dict, optional
         What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
+    fine_aovs : str or os.PathLike or dict, optional
+        For anti-aliasing: the surfaces of the same frame (positions, normals, ids, ...) at a multiple of its width and
+        height, as `aovs`; `aovs` is then read for the picture alone, and masks in `assign` have the size of these.
     assign : list or dict, optional
         Rules as in the shot file, or material name -> mask of shape (height, width) with coverage in [0, 1]; later ones
         win. Without it the whole frame wears the one material.
@@ -140,12 +145,15 @@ def composite(
     if frame is None:
         settings["aovs"] = aovs
     settings.update(_wardrobe(materials))
+    fine = fine_aovs if isinstance(fine_aovs, dict) else None
+    if fine is None and fine_aovs is not None:
+        settings["fine_aovs"] = fine_aovs
     masks = assign if isinstance(assign, dict) else None
     if masks is None and assign is not None:
         settings["assign"] = assign
     if camera is not None:
         settings["camera"] = camera if isinstance(camera, (str, dict, _PathLike)) else {"position": camera}
-    return _core.composite(frame, light, masks, settings, progress)
+    return _core.composite(frame, fine, light, masks, settings, progress)
 
 
 def _wardrobe(materials):
@@ -261,45 +269,6 @@ def check_energy(material: str | dict) -> dict[str, float]:
         The material is unknown or has a field out of range.
     """
     return _core.check_energy(material)
-
-
-def local_bandwidth(
-    image: _Array,
-    rule: str = "energy",
-    *,
-    quantile: float = 0.95,
-    epsilon: float = 0.01,
-    contrast: float = 0.005,
-    surround: str = "zero",
-) -> _Array:
-    """How fast an image varies around each of its pixels, found by wavelets.
-
-    Parameters
-    ----------
-    image : ndarray, shape (height, width)
-        One channel.
-    rule : str
-        "energy": what holds `quantile` of the local energy; "maxima": what is above `epsilon` of the largest coefficient.
-    quantile, epsilon : float
-        In (0, 1), see `rule`.
-    contrast : float
-        Variation of this size, relative to the local value, competes with the image's own.
-    surround : str
-        What is around the image: "zero", "repeat" (itself) or "latlong" (itself, over the poles above and below).
-
-    Returns
-    -------
-    ndarray, shape (height, width), float32
-        Cycles per sample, in [0, 0.5].
-
-    Raises
-    ------
-    SizeMismatch
-        The image has more than one channel.
-    BadArgument
-        A number is out of range, or a name unknown.
-    """
-    return _core.local_bandwidth(image, rule, quantile, epsilon, contrast, surround)
 
 
 def info(path: _Path) -> dict[str, _Any]:

@@ -53,6 +53,7 @@ def local_bandwidth(
 def run(job: Any, settings: dict[str, Any], progress: Progress | None) -> dict[str, Any]: ...
 def composite(
     frame: dict[str, ArrayLike] | None,
+    fine: dict[str, ArrayLike] | None,
     light: Any,
     masks: dict[str, ArrayLike] | None,
     settings: dict[str, Any],

@@ -56,7 +56,7 @@ void compute_1080p(benchmark::State& state) {
         const Surfaces surfaces(frame, assignment, {});
         ShadedFrame shaded = shade_dense(surfaces, assignment, shaders, {});
         benchmark::DoNotOptimize(
-            composite(frame, assignment, std::move(shaded.overlay), nullptr, {Color3f(0, 0, 0)}, {}).beauty.data.data());
+            composite(frame, {assignment.coverage, {}, {}}, std::move(shaded.overlay), nullptr, {}).beauty.data.data());
     }
 }
 

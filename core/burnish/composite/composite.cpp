@@ -40,7 +40,7 @@ Image modulated_sum(const Image* direct, const Image* indirect, const Image* fac
 }
 
 /// The diffuse part: the renderer's passes, or kd/pi * E * albedo from an irradiance layer.
-Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const std::vector<Color3f>& kd) {
+Image diffuse_part(const AovFrame& frame, const Image& kd) {
     const Image *direct = frame.find(Role::diffuse_direct), *indirect = frame.find(Role::diffuse_indirect);
     const Image* albedo = frame.find(Role::diffuse_albedo);
     if (direct || indirect) return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
@@ -51,10 +51,7 @@ Image diffuse_part(const AovFrame& frame, const Assignment& assignment, const st
                         ": no beauty and no diffuse light to put the overlay over (looked for beauty, diffuse_direct, "
                         "diffuse_indirect, irradiance). Name one with --channel beauty=LAYER");
     Image diffuse = modulated_sum(irradiance, nullptr, albedo);
-    for_each_pixel(diffuse, [&](size_t i) {
-        const int rule = assignment.rule[i];
-        store(diffuse, i, rule < 0 ? Color3f(0, 0, 0) : color(diffuse, i) * kd[rule] / kPi);
-    });
+    for_each_pixel(diffuse, [&](size_t i) { store(diffuse, i, color(diffuse, i) * color(kd, i) / kPi); });
     return diffuse;
 }
 
@@ -78,13 +75,18 @@ Image rendered_specular(const AovFrame& frame) {
     return modulated_sum(direct, indirect, frame.divided_by_albedo ? albedo : nullptr);
 }
 
-Composite composite(const AovFrame& frame, const Assignment& assignment, Image overlay, const Image* old_overlay,
-                    const std::vector<Color3f>& kd, const CompositeSettings& settings) {
+bool needs_kd(const AovFrame& frame) {
+    return !frame.has(Role::beauty) && !frame.has(Role::diffuse_direct) && !frame.has(Role::diffuse_indirect);
+}
+
+Composite composite(const AovFrame& frame, const Cover& cover, Image overlay, const Image* old_overlay,
+                    const CompositeSettings& settings) {
     const Image *beauty = frame.find(Role::beauty), *alpha = frame.find(Role::alpha), *mask = frame.find(Role::mask);
     if (settings.mode != CompositeMode::add) frame.layer(Role::beauty);
     Composite out;
-    if (!beauty) out.diffuse = diffuse_part(frame, assignment, kd);
+    if (!beauty) out.diffuse = diffuse_part(frame, cover.kd);
     const Image& base = beauty ? *beauty : out.diffuse;
+    const PixelVector<float>& replaced = cover.specular.empty() ? cover.overlay : cover.specular;
     const Image removed = settings.mode == CompositeMode::replace ? rendered_specular(frame) : Image();
     out.beauty = Image::unset(overlay.width, overlay.height, 4);
     out.overlay = std::move(overlay);
@@ -94,7 +96,8 @@ Composite composite(const AovFrame& frame, const Assignment& assignment, Image o
                              .old_overlay = settings.mode == CompositeMode::difference ? row_of(old_overlay, y) : nullptr,
                              .base = base.at(first),
                              .removed = removed.empty() ? nullptr : removed.at(first),
-                             .coverage = &assignment.coverage[first],
+                             .coverage = &cover.overlay[first],
+                             .replaced = &replaced[first],
                              .mask = row_of(mask, y),
                              .alpha = row_of(alpha, y),
                              .beauty = out.beauty.at(first)};

@@ -5,8 +5,9 @@
 // largest stretch of the mapping, s^2 n / 2 texels a radian, s = |d| / max |d_k|. Discs that were taken out of the picture are
 // painted back first: they are as sharp as they are small.
 //
-// What is kept is a pyramid of maxima. A texel of level k holds the largest bandwidth in it and in the eight around it, so
-// that a bilinear read is never below the maximum within half a texel of where it is made.
+// What is kept is a pyramid of maxima. A texel of a level holds the largest bandwidth in it and in two rings of texels around it
+// (one on level 0, which has the size of level 1), so that a bilinear read is never below the maximum within one and a half
+// texels (half a texel) of where it is made.
 #pragma once
 
 #include <burnish/light/bright_discs.h>

@@ -14,7 +14,16 @@ constexpr int kFine = 2 * LobeBandwidth::kSlice;  // samples a side of a window
 constexpr int kBands = 4, kBorder = surround_width(kBands), kWhole = kFine + 2 * kBorder;
 constexpr int kSpectrumBands = 5;
 constexpr float kQuantile = 0.95f;
-constexpr float kThetaStep = 0.5f * kPi / LobeBandwidth::kViews;
+constexpr float kThetaStep = 0.5f * kPi / LobeBandwidth::kViews, kPhiStep = 2.0f * kPi / LobeBandwidth::kViews;
+
+int azimuth_count(LobeSymmetry symmetry) {
+    switch (symmetry) {
+        case LobeSymmetry::isotropic: return 1;
+        case LobeSymmetry::orthotropic: return LobeBandwidth::kViews / 4 + 1;
+        case LobeSymmetry::none: break;
+    }
+    return LobeBandwidth::kViews;
+}
 
 /// Position of sample i of a window.
 float place(int i) { return (2.0f * static_cast<float>(i) + 1.0f) / kFine - 1.0f; }
@@ -56,6 +65,24 @@ LobeBandwidth::View analysed(const std::function<float(const Vec3f&)>& value, co
     return view;
 }
 
+/// Where to look for the lobe: the mirror direction, straight on through the surface, or the brightest of some that are spread
+/// over the sphere.
+Vec3f brightest(const std::function<float(const Vec3f&)>& value, const Vec3f& wo) {
+    constexpr int count = 512;
+    Vec3f best(-wo.x, -wo.y, wo.z);
+    float most = value(best);
+    const auto consider = [&](const Vec3f& wi) {
+        if (const float found = value(wi); found > most) best = wi, most = found;
+    };
+    consider(-wo);
+    for (int i = 0; i < count; ++i) {
+        const float z = (2.0f * static_cast<float>(i) + 1.0f) / count - 1.0f, turn = 2.399963f * static_cast<float>(i);
+        const float side = std::sqrt(1.0f - z * z);
+        consider({side * std::cos(turn), side * std::sin(turn), z});
+    }
+    return best;
+}
+
 /// Turns with the view: n along the mirror direction of wo, b level.
 Frame mirror_frame(const Vec3f& wo) {
     const float phi = std::atan2(wo.y, wo.x);
@@ -72,16 +99,17 @@ LobeFunction luminance_of(const LobeParameters& parameters) {
 }  // namespace
 
 LobeBandwidth::LobeBandwidth(const LobeParameters& lobe)
-    : LobeBandwidth(luminance_of(lobe), lobe.mx == lobe.my ? LobeSymmetry::isotropic : LobeSymmetry::anisotropic) {}
+    : LobeBandwidth(luminance_of(lobe), lobe.mx == lobe.my ? LobeSymmetry::isotropic : LobeSymmetry::orthotropic) {}
 
 LobeBandwidth::LobeBandwidth(const LobeFunction& f, LobeSymmetry symmetry)
-    : m_azimuths(symmetry == LobeSymmetry::isotropic ? 1 : kViews),
+    : m_symmetry(symmetry),
+      m_azimuths(azimuth_count(symmetry)),
       m_views(static_cast<size_t>(kViews) * m_azimuths),
       m_nu_rho(kViews) {
     for_each_index(static_cast<int>(m_views.size()), [&](int view) {
-        const Vec3f wo = view_direction(view), mirror(-wo.x, -wo.y, wo.z);
+        const Vec3f wo = view_direction(view);
         const auto value = [&](const Vec3f& wi) { return f(wo, wi) * std::fabs(wi.z); };
-        m_views[view] = analysed(value, lobe_window(value, value(-wo) > value(mirror) ? -wo : mirror));
+        m_views[view] = analysed(value, lobe_window(value, brightest(value, wo)));
     });
     for (size_t view = 0; view < m_views.size(); ++view) {
         float& largest = m_nu_rho[view / m_azimuths];
@@ -91,7 +119,7 @@ LobeBandwidth::LobeBandwidth(const LobeFunction& f, LobeSymmetry symmetry)
 
 Vec3f LobeBandwidth::view_direction(int view) const {
     const float theta = (static_cast<float>(view / m_azimuths) + 0.5f) * kThetaStep;
-    const float phi = 2.0f * kPi * static_cast<float>(view % m_azimuths) / static_cast<float>(m_azimuths);
+    const float phi = static_cast<float>(view % m_azimuths) * kPhiStep;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
@@ -103,18 +131,21 @@ float LobeBandwidth::nu_rho(float cos_o) const {
 }
 
 int LobeBandwidth::nearest_view(const Vec3f& wo) const {
-    const float theta = std::acos(std::clamp(wo.z, 0.0f, 1.0f)), turns = std::atan2(wo.y, wo.x) / (2.0f * kPi);
+    const float theta = std::acos(std::clamp(wo.z, 0.0f, 1.0f)), phi = std::atan2(wo.y, wo.x);
     const int row = std::clamp(static_cast<int>(theta / kThetaStep), 0, kViews - 1);
-    const int azimuth = static_cast<int>(std::lround(turns * static_cast<float>(m_azimuths)) + m_azimuths) % m_azimuths;
-    return row * m_azimuths + azimuth;
+    if (m_symmetry == LobeSymmetry::isotropic) return row;
+    return row * m_azimuths + static_cast<int>(std::lround(phi / kPhiStep) + kViews) % kViews;
 }
 
 // A sharp lobe moves by more than its width from one view to the next: its window is carried along, on either side of the surface.
 float LobeBandwidth::at(const Vec3f& wo, const Vec3f& wi) const {
-    const int nearest = nearest_view(wo);
-    const View& view = m_views[nearest];
+    const bool fold = m_symmetry == LobeSymmetry::orthotropic;
+    const Vec3f quarter(fold ? std::copysign(1.0f, wo.x) : 1.0f, fold ? std::copysign(1.0f, wo.y) : 1.0f, 1.0f);
     const Vec3f side(1.0f, 1.0f, std::copysign(1.0f, wi.z));
-    const Vec3f carried = side * mirror_frame(view_direction(nearest)).to_world(mirror_frame(wo).to_local(side * wi));
+    const int nearest = nearest_view(quarter * wo);
+    const View& view = m_views[nearest];
+    const Vec3f local = mirror_frame(quarter * wo).to_local(quarter * side * wi);
+    const Vec3f carried = side * mirror_frame(view_direction(nearest)).to_world(local);
     const Vec2f p = view.window.place(carried);
     const auto cell = [](float x) {
         return std::clamp(static_cast<int>(std::floor((x + 1.0f) * 0.5f * kSlice)), 0, kSlice - 1);

@@ -16,11 +16,12 @@ namespace burnish {
 /// f(wo, wi) in 1/sr, unit vectors in the local frame (z = normal); finite and >= 0. Called by several threads.
 using LobeFunction = std::function<float(const Vec3f& wo, const Vec3f& wi)>;
 
-enum class LobeSymmetry { isotropic, anisotropic };
+/// What turns leave it as it is: any about the normal; half a turn and both mirrorings, at t and at b; or none.
+enum class LobeSymmetry { isotropic, orthotropic, none };
 
 class LobeBandwidth {
 public:
-    static constexpr int kViews = 16;  // of theta_o, and of phi_o where the lobe is anisotropic
+    static constexpr int kViews = 16;  // of theta_o, and of phi_o unless the lobe's symmetry makes them alike
     static constexpr int kSlice = 16;  // results a side of a view's window
 
     LobeBandwidth() = default;
@@ -46,6 +47,7 @@ public:
 private:
     int nearest_view(const Vec3f& wo) const;
 
+    LobeSymmetry m_symmetry = LobeSymmetry::isotropic;
     int m_azimuths = 0;
     std::vector<View> m_views;
     std::vector<float> m_nu_rho;  // by theta_o, the largest over the azimuths

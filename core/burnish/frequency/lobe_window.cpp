@@ -40,15 +40,15 @@ LobeWindow round_window(const Vec3f& centre, float half_width) {
 LobeWindow moved(const LobeWindow& from, const Moments& m) {
     const float a = from.along.length(), b = from.across.length();
     const double turn = 0.5 * std::atan2(2.0 * m.xy, m.xx - m.yy), mean = 0.5 * (m.xx + m.yy);
-    const double spread = std::hypot(0.5 * (m.xx - m.yy), m.xy), least = kMostShrunk * std::min(a, b);
+    const double spread = std::hypot(0.5 * (m.xx - m.yy), m.xy);
+    const float least = std::max(kNarrowest, kMostShrunk * std::min(a, b));
     const auto half_width = [&](double variance) {
-        return static_cast<float>(std::clamp(kDeviations * std::sqrt(std::max(0.0, variance)), least, double{kWidest}));
+        return static_cast<float>(std::clamp(kDeviations * std::sqrt(std::max(0.0, variance)), double{least}, double{kWidest}));
     };
     const Vec3f centre = from.direction(static_cast<float>(m.x) / a, static_cast<float>(m.y) / b);
     const Frame frame = Frame::along(
         centre, from.along / a * static_cast<float>(std::cos(turn)) + from.across / b * static_cast<float>(std::sin(turn)));
-    return {centre, frame.t * std::max(kNarrowest, half_width(mean + spread)),
-            frame.b * std::max(kNarrowest, half_width(mean - spread))};
+    return {centre, frame.t * half_width(mean + spread), frame.b * half_width(mean - spread)};
 }
 
 bool settled(const LobeWindow& before, const LobeWindow& after) {

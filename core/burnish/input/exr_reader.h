@@ -15,6 +15,7 @@ struct ReadOptions {
     std::map<Role, std::string> channels;           // explicit layer per role ("ViewLayer.Normal"), wins over names
     std::map<Role, std::set<Role>> substitutes;     // roles wanted only where this one is not found: uv for tangent
     bool cryptomattes = false;                      // decode cryptomatte layers too
+    int shaded_block = 1;                           // bands: see FrameReader::read_rows
     std::string view;                               // multi-view files: "left", "right"; empty = first
     std::function<Camera(const AovFrame&)> camera;  // explicit camera, wins over header and recovery; asked when the frame's
                                                     // windows are known; empty = none

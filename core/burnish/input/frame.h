@@ -30,7 +30,10 @@ struct AovFrame {
     std::string file;
     Renderer renderer = Renderer::unknown;  // by the file's fingerprint; says what its passes mean
     Window data_window, display_window;
-    int margin_above = 0, margin_below = 0;  // rows of a band that are there for their neighbours only: not shaded, not written
+    int margin_above = 0,
+        margin_below = 0;  // rows of a band that are there for their neighbours only: not counted, not written
+    int shaded_above = 0, shaded_below = 0;  // those of the margins, next to the band, that are shaded all the same
+    bool has_shaded_margins() const { return shaded_above + shaded_below > 0; }
     std::map<Role, Image> layers;
     std::optional<Camera> camera;
     std::vector<Cryptomatte> cryptomattes;

@@ -10,6 +10,7 @@
 #include <burnish/input/verify_layer.h>
 
 #include <algorithm>
+#include <bit>
 #include <new>
 #include <utility>
 
@@ -86,6 +87,7 @@ void warn_of_scrubbed(const std::vector<Slot>& slots, AovFrame& frame) {
 
 FrameReader::FrameReader(const std::string& file, const ReadOptions& options, size_t band_pixels) try
     : m_file(file, options.view),
+      m_shaded_block(options.shaded_block),
       m_print(fingerprint(*m_file.metadata(0), m_file.layers())),
       m_slots(wanted_slots(m_file, options, m_print.renderer)),
       m_frame(empty_frame(m_file, m_slots, m_print)) {
@@ -101,10 +103,11 @@ FrameReader::FrameReader(const std::string& file, const ReadOptions& options, si
 
 void FrameReader::plan_bands(size_t band_pixels) {
     const Window& window = m_frame.data_window;
-    const int block = block_rows(m_file, m_slots);
-    const size_t width = static_cast<size_t>(window.width), height = static_cast<size_t>(window.height);
-    const size_t blocks = std::clamp<size_t>(band_pixels / (width * block), 1, height / block + 1);
-    m_band_rows = width * height <= band_pixels ? std::max(window.height, 1) : static_cast<int>(blocks) * block;
+    const unsigned block = static_cast<unsigned>(block_rows(m_file, m_slots));
+    const size_t width = static_cast<size_t>(std::max(window.width, 1)),
+                 height = static_cast<size_t>(std::max(window.height, 1));
+    const unsigned rows = static_cast<unsigned>(std::clamp<size_t>(band_pixels / width, 1, height));
+    m_band_rows = static_cast<int>(rows == height ? rows : rows >= block ? rows / block * block : std::bit_floor(rows));
     m_band_count = (window.height + m_band_rows - 1) / m_band_rows;
 }
 
@@ -169,25 +172,36 @@ bool FrameReader::has_slot(Role role) const {
     return std::any_of(m_slots.begin(), m_slots.end(), [&](const Slot& slot) { return slot.role == role; });
 }
 
-AovFrame FrameReader::read_band() try {
-    const int begin = m_bands_read * m_band_rows, end = std::min(begin + m_band_rows, m_frame.data_window.height);
+AovFrame FrameReader::read_band() {
+    const int begin = m_bands_read++ * m_band_rows;
+    return read_rows(begin, std::min(begin + m_band_rows, m_frame.data_window.height), 0, m_bands_read == m_band_count);
+}
+
+AovFrame FrameReader::read_rows(int begin, int end, int shaded, bool is_last) try {
+    const int height = m_frame.data_window.height, block = m_shaded_block;
+    int top = begin - shaded, bottom = end + shaded;
+    if (block > 1) top = (top / block - 1) * block, bottom = ((bottom - 1) / block + 2) * block + 1;
     AovFrame band = m_frame;
-    if (m_is_read)
-        band.layers = std::move(m_whole);
+    band.shaded_above = std::min(begin - top, begin), band.shaded_below = std::min(bottom - end, height - end);
+    const int more = has_slot(Role::uv) ? block : 0;
+    band.margin_above = std::min(begin - top + more, begin), band.margin_below = std::min(bottom - end + more, height - end);
+    band.data_window.y += begin - band.margin_above;
+    band.data_window.height = end - begin + band.margin_above + band.margin_below;
+    const bool is_whole = band.data_window == m_frame.data_window;
+    if (is_whole && !m_whole.empty())
+        band.layers = std::exchange(m_whole, {});
     else
-        read_rows(begin, end, band);
+        read_pixels(band);
     for (Cryptomatte& matte : band.cryptomattes) read_ranks(m_file, band.data_window, matte);
-    if (++m_bands_read == m_band_count) warn_of_scrubbed(m_slots, band);
+    if (is_last) warn_of_scrubbed(m_slots, band);
     return band;
 } catch (const std::bad_alloc&) {
     fail_memory(m_file.name());
 }
 
-void FrameReader::read_rows(int begin, int end, AovFrame& band) {
-    const int height = m_frame.data_window.height, margin = has_slot(Role::uv) ? 1 : 0;
-    band.margin_above = std::min(margin, begin), band.margin_below = std::min(margin, height - end);
-    band.data_window.y += begin - band.margin_above;
-    band.data_window.height = end - begin + band.margin_above + band.margin_below;
+void FrameReader::read_pixels(AovFrame& band) {
+    if (!std::exchange(m_whole, {}).empty())
+        for (Slot& slot : m_slots) slot.scrubbed = 0;
     std::vector<const Slot*> slots;
     for (const Slot& slot : m_slots) slots.push_back(&slot);
     read_slots(m_file, slots, band.data_window, band);

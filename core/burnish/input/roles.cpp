@@ -131,6 +131,8 @@ std::span<const RoleInfo> roles() {
 
 const RoleInfo& role_info(Role role) { return roles()[static_cast<size_t>(role)]; }
 
+bool is_of_picture(Role role) { return role <= Role::alpha || role >= Role::mask; }
+
 Role role_by_name(std::string_view name) {
     std::string known;
     for (const RoleInfo& info : roles()) {

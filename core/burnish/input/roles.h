@@ -46,6 +46,8 @@ struct RoleInfo {
 /// All roles, in the order of the enum.
 std::span<const RoleInfo> roles();
 const RoleInfo& role_info(Role role);
+/// Whether the role is light that reached the camera, or coverage: filtered as the picture is. The others are of the surfaces.
+bool is_of_picture(Role role);
 /// Role by name; throws Error(bad_argument) listing the names when there is none.
 Role role_by_name(std::string_view name);
 

@@ -6,15 +6,17 @@
 
 #include <cstddef>
 #include <exception>
+#include <optional>
 
 namespace burnish {
 
 struct Band {
     size_t task = 0;  // index of its frame among the tasks
     bool is_last = false;
-    bool is_skipped = false;  // its frame's output is there already
-    Window whole;             // data window of its frame
-    AovFrame frame;           // the rows
+    bool is_skipped = false;       // its frame's output is there already
+    Window whole;                  // data window of its frame
+    AovFrame frame;                // the rows
+    std::optional<AovFrame> fine;  // their samples, where the job has finer AOVs
     FrameResult result;
     NamedValues<double> seconds;
     std::exception_ptr failure;  // what went wrong on the way; to be told when its turn to be written comes

@@ -1,6 +1,8 @@
-// Where bands come from: the files of a job, one after the other, each read from the top.
+// Where bands come from: the files of a job, one after the other, each read from the top. Of a frame with finer AOVs two files
+// are read side by side, each for what it knows: the picture here, the surfaces there.
 #pragma once
 
+#include <burnish/composite/sample_grid.h>
 #include <burnish/input/frame_reader.h>
 #include <burnish/job/band.h>
 #include <burnish/job/frame_tasks.h>
@@ -22,7 +24,9 @@ public:
     std::shared_ptr<Band> next();
 
 private:
+    void open(const FrameTask& task);
     void read(Band& band);
+    AovFrame read_fine(const Band& band);
     void leave_frame();
 
     const Job& m_job;
@@ -32,7 +36,8 @@ private:
     Progress m_progress;
     size_t m_task = 0;
     int m_bands_read = 0;
-    std::optional<FrameReader> m_reader;
+    std::optional<FrameReader> m_reader, m_fine;
+    SampleGrid m_grid;
 };
 
 }  // namespace burnish

@@ -55,7 +55,7 @@ private:
         const float height = static_cast<float>(band.whole.height), top = static_cast<float>(rows.y - band.whole.y);
         const float begin = (band.task + top / height) / m_tasks;
         const Progress part = part_of(m_progress, begin, begin + rows.height / height / m_tasks);
-        band.result = run_frame(m_job, band.frame, *m_look, nullptr, part);
+        band.result = run_frame(m_job, band.frame, band.fine ? &*band.fine : nullptr, *m_look, nullptr, part);
     }
 
     const Job& m_job;

@@ -49,7 +49,7 @@ void FrameSink::write(Band& band, const Look& look) {
 
 void FrameSink::tell(const Band& band, const Look& look) {
     FrameReport& entry = m_report.frames.back();
-    entry = frame_report(m_job, band.frame, look, m_tally);
+    entry = frame_report(m_job, band.frame, band.fine ? &*band.fine : nullptr, look, m_tally);
     entry.width = band.whole.width, entry.height = band.whole.height;
     name(m_tasks[band.task], entry);
 }

@@ -21,6 +21,8 @@ void check_files(const Job& job) {
     expect_extension("output", job.output.file, ".exr");
     expect_extension("preview", job.output.preview, ".png");
     std::error_code none;
+    if (job.output.file == job.fine_aovs)
+        refuse("output: '" + job.output.file + "' holds the fine AOVs; write to another file");
     if (job.output.file == job.aovs || std::filesystem::equivalent(job.output.file, job.aovs, none))
         refuse("output: '" + job.output.file + "' is the frame itself; write to another file");
 }
@@ -41,23 +43,32 @@ std::string target(const std::string& setting, const std::string& pattern, int f
     return pattern;
 }
 
-/// A camera may be the same for all frames.
+/// A camera may be the same for all frames, and so may what it sees.
 std::string source(const std::string& pattern, int frame) {
     return has_frame_token(pattern) && !pattern.starts_with('{') ? frame_file(pattern, frame) : pattern;
 }
 
 }  // namespace
 
+bool is_up_to_date(const FrameTask& task) {
+    std::error_code none;
+    const auto written = std::filesystem::last_write_time(task.output, none);
+    const auto is_older = [&](const std::string& input) {
+        return !none && written > std::filesystem::last_write_time(input, none) && !none;
+    };
+    return is_older(task.aovs) && (task.fine_aovs.empty() || is_older(task.fine_aovs));
+}
+
 std::vector<FrameTask> frame_tasks(const Job& job) {
     check_files(job);
     if (!has_frame_token(job.aovs)) {
         if (!job.frames.empty()) refuse("frames: '" + job.aovs + "' names one file; put #### where the frame number goes");
-        return {{{}, job.aovs, job.camera, job.output.file, job.output.preview}};
+        return {{{}, job.aovs, job.fine_aovs, job.camera, job.output.file, job.output.preview}};
     }
     const std::vector<int> numbers = frame_numbers(job);
     std::vector<FrameTask> tasks;
     for (const int n : numbers)
-        tasks.push_back({n, frame_file(job.aovs, n), source(job.camera, n),
+        tasks.push_back({n, frame_file(job.aovs, n), source(job.fine_aovs, n), source(job.camera, n),
                          target("output", job.output.file, n, numbers.size()),
                          target("preview", job.output.preview, n, numbers.size())});
     return tasks;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <burnish/composite/composite.h>
+#include <burnish/composite/pixel_filter.h>
 #include <burnish/input/assign.h>
 #include <burnish/light/environment.h>
 #include <burnish/material/parameters.h>
@@ -22,6 +23,15 @@ namespace burnish {
 /// What a frame that is missing, unreadable or lacks a channel does to a sequence.
 enum class BadFrames { error, skip };
 
+/// How much of a pixel at an edge the overlay covers: by the samples that hit, or by the frame's alpha.
+enum class EdgeCoverage { samples, alpha };
+
+/// How finer AOVs become pixels.
+struct AntialiasSettings {
+    PixelFilter filter;
+    EdgeCoverage coverage = EdgeCoverage::samples;
+};
+
 /// OpenColorIO names; an empty one means "as it is". The frame's own space must be linear: shading happens in it.
 struct ColorSpaces {
     std::string config;  // OpenColorIO config file; "" = $OCIO
@@ -37,9 +47,10 @@ struct OutputSettings {
 };
 
 struct Job {
-    std::string aovs;    // EXR, may hold a frame pattern
-    std::string frames;  // "1-24", "1-100x5"; "" = the file as named, or every frame found
-    std::string view;    // multi-view files
+    std::string aovs;       // EXR, may hold a frame pattern
+    std::string fine_aovs;  // the same at a multiple of its size: geometry and ids are taken from there; "" = none
+    std::string frames;     // "1-24", "1-100x5"; "" = the file as named, or every frame found
+    std::string view;       // multi-view files
     BadFrames bad_frames = BadFrames::error;
     std::map<Role, std::string> channels;  // explicit layer per role
     std::string camera;                    // file, may hold a frame pattern, or the JSON itself; "" = from the frame
@@ -57,6 +68,7 @@ struct Job {
     DensitySettings density;
     SurfaceSettings surface;
     CompositeSettings composite;
+    AntialiasSettings antialias;
     ColorSpaces color;
     OutputSettings output;
     int threads = 0;  // 0 = all cores

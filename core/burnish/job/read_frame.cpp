@@ -7,6 +7,7 @@
 #include <burnish/input/frame_geometry.h>
 #include <burnish/input/metadata.h>
 #include <burnish/job/run_frame.h>
+#include <burnish/shading/shading_plan.h>
 
 #include <nlohmann/json.hpp>
 
@@ -36,6 +37,16 @@ std::function<Camera(const AovFrame&)> camera_source(const std::string& camera) 
     return [camera](const AovFrame& frame) { return camera_from_text(camera, frame); };
 }
 
+bool is_in_other_part(Role role, FramePart part) {
+    return part != FramePart::whole && is_of_picture(role) != (part == FramePart::picture);
+}
+
+Role role_of(Role role) { return role; }
+template <class Value>
+Role role_of(const std::pair<const Role, Value>& entry) {
+    return entry.first;
+}
+
 /// The channels a role takes out of an array that may have an alpha more.
 void check_layer(const Image& image, const RoleInfo& role, const Image& first) {
     const std::string name(role.name);
@@ -59,20 +70,27 @@ void split_alpha(std::map<Role, Image>& layers) {
 
 }  // namespace
 
-ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera) {
+ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera, FramePart part) {
+    const auto is_elsewhere = [part](const auto& wanted) { return is_in_other_part(role_of(wanted), part); };
     ReadOptions options;
     options.roles = wanted_roles(job, wardrobe);
     options.substitutes = substitute_roles(job, wardrobe);
     options.channels = job.channels;
+    std::erase_if(options.roles, is_elsewhere);
+    std::erase_if(options.substitutes, is_elsewhere);
+    std::erase_if(options.channels, is_elsewhere);
     options.view = job.view;
+    if (part == FramePart::picture) return options;
+    if (job.density.density == ShadingDensity::sparse) options.shaded_block = ShadingPlan::kBlock;
     options.camera = camera_source(camera);
     options.cryptomattes =
         std::any_of(wardrobe.rules.begin(), wardrobe.rules.end(), [](const AssignRule& r) { return !r.cryptomatte.empty(); });
     return options;
 }
 
-AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera) {
-    return read_frame(file, read_options(job, wardrobe, camera));
+AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera,
+                        FramePart part) {
+    return read_frame(file, read_options(job, wardrobe, camera, part));
 }
 
 AovFrame frame_from_layers(std::map<Role, Image> layers, const std::string& camera) {

@@ -2,11 +2,14 @@
 
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
+#include <burnish/composite/sample_grid.h>
+#include <burnish/job/frame_cover.h>
 #include <burnish/job/stages.h>
 #include <burnish/shading/sparse.h>
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace burnish {
 namespace {
@@ -38,9 +41,29 @@ void report_pixels(const Tally& tally, const Look& look, FrameReport& report) {
     if (tally.pixels[0] == 0) report.warnings.push_back("no pixel was shaded: see the counts under pixels");
 }
 
+/// What was found in the finer AOVs, and how they became pixels.
+void report_fine(const Job& job, const AovFrame& frame, const AovFrame& fine, FrameReport& report) {
+    const PixelFilter filter = pixel_filter(job.antialias, frame);
+    char line[96];
+    std::snprintf(line, sizeof line, "%d samples a pixel, which counts speak of; filter %s, %g pixels wide",
+                  sample_grid(frame, fine).sample_count(), std::string(filter_name(filter.kind)).c_str(), filter.width);
+    report.notes.push_back("fine_aovs: " + fine.label() + ": " + line);
+    for (const std::string& note : fine.notes) report.notes.push_back("fine_aovs: " + note);
+    report.warnings.insert(report.warnings.end(), fine.warnings.begin(), fine.warnings.end());
+}
+
 void add(const std::vector<size_t>& counts, std::vector<size_t>& sums) {
     sums.resize(counts.size());
     for (size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
+}
+
+/// Lookups of the frame's own rows: those of its margins are another band's.
+double own_lookups(const AovFrame& frame, const ShadedFrame& shaded) {
+    if (!frame.has_shaded_margins()) return shaded.lookups;
+    double lookups = 0;
+    for (int y = frame.margin_above; y < shaded.samples.height - frame.margin_below; ++y)
+        lookups = std::accumulate(shaded.samples.at(0, y), shaded.samples.at(0, y) + shaded.samples.width, lookups);
+    return lookups;
 }
 
 Tally tally_of(const Surfaces& surfaces, const Assignment& assignment) {
@@ -48,15 +71,6 @@ Tally tally_of(const Surfaces& surfaces, const Assignment& assignment) {
     tally.pixels = surfaces.counts(), tally.shaded = surfaces.rule_counts(), tally.selected = assignment.counts;
     tally.lacks_tangents = surfaces.tangent_source() == TangentSource::axis;
     return tally;
-}
-
-/// Coverage only where a pixel was shaded: elsewhere there is no overlay that could take the rendered specular's place.
-void cover_shaded(const Surfaces& surfaces, Assignment& assignment) {
-    for_each_index(assignment.height, [&](int y) {
-        const size_t begin = static_cast<size_t>(y) * assignment.width;
-        for (size_t i = begin; i < begin + assignment.width; ++i)
-            if (surfaces.validity(i) != Validity::valid) assignment.coverage[i] = 0;
-    });
 }
 
 Image validity_image(const Surfaces& surfaces, int width, int height) {
@@ -93,45 +107,53 @@ void Tally::operator+=(const Tally& band) {
     for (const auto& [stage, elapsed] : band.seconds) add_seconds(seconds, stage, elapsed);
 }
 
-FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, const Assignment* given,
+FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fine, const Look& look, const Assignment* given,
                       const Progress& progress) {
     FrameResult result;
     NamedValues<double> seconds;
     const bool difference = !look.old_shaders.empty();
-    if (given) check_size(*given, frame.data_window);
+    const AovFrame& shown = fine ? *fine : frame;
+    if (given) check_size(*given, shown.data_window);
     Assignment assignment;
     const Surfaces surfaces = timed(seconds, "surface", [&] {
-        assignment = given ? *given : assign_rules(frame, look.wardrobe.rules);
-        return Surfaces(frame, assignment, job.surface);
+        assignment = given ? *given : assign_rules(shown, look.wardrobe.rules);
+        return Surfaces(shown, assignment, job.surface);
     });
     result.tally = tally_of(surfaces, assignment);
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
     timed(seconds, "shading", [&] {
-        result.shaded = shade(frame, surfaces, assignment, look.shaders, look.predictors,
-                              part_of(progress, 0.0f, difference ? 0.5f : 1.0f), job.output.diagnostics);
+        const bool with_samples = job.output.diagnostics || shown.has_shaded_margins();
+        result.shaded = shade(shown, surfaces, assignment, look.shaders, look.predictors,
+                              part_of(progress, 0.0f, difference ? 0.5f : 1.0f), with_samples);
         if (difference)
-            old =
-                shade(frame, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f), false);
+            old = shade(shown, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f),
+                        shown.has_shaded_margins());
+    });
+    result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
+    const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {
+        if (fine || job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
+        if (!fine) return pixel_cover(frame, assignment, look.wardrobe.kd);
+        return resolve_samples(job.antialias, frame, *fine, surfaces, assignment, look.wardrobe.kd, result, old);
     });
     result.composite = timed(seconds, "composite", [&] {
-        if (job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
-        return composite(frame, assignment, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr,
-                         look.wardrobe.kd, job.composite);
+        return composite(frame, cover, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr, job.composite);
     });
-    result.tally.lookups = result.shaded.lookups + old.lookups;
     result.tally.seconds = std::move(seconds);
     return result;
 }
 
-FrameReport frame_report(const Job& job, const AovFrame& frame, const Look& look, const Tally& tally) {
+FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* fine, const Look& look, const Tally& tally) {
     FrameReport report;
+    const AovFrame& shown = fine ? *fine : frame;
     report.input = frame.file;
     report.width = frame.data_window.width, report.height = frame.data_window.height;
-    for (const auto& [role, image] : frame.layers) report.roles.emplace_back(role_info(role).name);
-    if (frame.camera) report.camera = frame.camera->source;
     report.notes = frame.notes;
     report.warnings = frame.warnings;
+    for (const RoleInfo& info : roles())
+        if (frame.has(info.role) || shown.has(info.role)) report.roles.emplace_back(info.name);
+    if (shown.camera) report.camera = shown.camera->source;
+    if (fine) report_fine(job, frame, *fine, report);
     report_pixels(tally, look, report);
     if (tally.lacks_tangents) warn_of_tangents(look, job.surface.tangent_axis, report);
     report.lookups = tally.lookups;

@@ -34,13 +34,15 @@ std::set<Role> wanted_roles(const Job& job, const Wardrobe& wardrobe);
 /// Roles it reads only where another is not found: what the diffuse part is made of for the beauty, UVs for tangents.
 std::map<Role, std::set<Role>> substitute_roles(const Job& job, const Wardrobe& wardrobe);
 
-/// Surfaces, shading and compositing of a frame or band. `assignment`: who wears what; null = by the rules.
+/// Surfaces, shading and compositing of a frame or band. `fine`: where its surfaces are, at a multiple of its size, shaded there
+/// and resolved to the frame's pixels; null = in the frame itself. `assignment`: who wears what; null = by the rules.
 /// Throws Error(missing_channel | size_mismatch | color_space | cancelled).
-FrameResult run_frame(const Job& job, const AovFrame& frame, const Look& look, const Assignment* assignment,
-                      const Progress& progress);
+FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fine, const Look& look,
+                      const Assignment* assignment, const Progress& progress);
 
-/// The report on a frame whose bands add up to `tally`; `frame`: any of them, the warnings of the last.
-FrameReport frame_report(const Job& job, const AovFrame& frame, const Look& look, const Tally& tally);
+/// The report on a frame whose bands add up to `tally`; `frame` and `fine`: any of them, the warnings of the last. Pixels are
+/// counted by sample where there are finer AOVs.
+FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* fine, const Look& look, const Tally& tally);
 
 /// Assignment from one mask per rule (1 channel, coverage in [0, 1], 0 = not this material); later masks win.
 /// Throws Error(size_mismatch).

@@ -19,6 +19,10 @@ void add_input(std::vector<Setting>& table) {
     using Kind = SettingKind;
     table.push_back(text({"aovs", "", "aovs"}, AT(aovs), Kind::path, "FILE",
                          "the rendered frame with its AOVs, an EXR; #### in its name stands for the frame number"));
+    table.push_back(
+        text({"fine_aovs", "", "fine_aovs"}, AT(fine_aovs), Kind::path, "FILE",
+             "anti-aliasing: positions, normals, ids and the like of the same frame, rendered 2 or 4 times as wide and "
+             "high; #### stands for the frame number; empty: those of the frame itself"));
     table.push_back(text({"frames", "", "frames"}, AT(frames), Kind::text, "RANGE",
                          "frames to do: 1-24, 1-100x5, 1,3,7-9; empty: every frame found"));
     table.push_back(choice<BadFrames>({"bad_frames", "", "bad_frames"}, AT(bad_frames),
@@ -153,6 +157,24 @@ void add_composite(std::vector<Setting>& table) {
     table.push_back(color({"tint", "composite", "tint"}, AT(composite.tint), kPositive, "colour that multiplies the overlay"));
 }
 
+void add_antialias(std::vector<Setting>& table) {
+    table.push_back(choice<FilterKind>({"filter", "antialias", "filter"}, AT(antialias.filter.kind),
+                                       {{"auto", FilterKind::automatic},
+                                        {"box", FilterKind::box},
+                                        {"triangle", FilterKind::triangle},
+                                        {"gaussian", FilterKind::gaussian},
+                                        {"blackman_harris", FilterKind::blackman_harris}},
+                                       "pixel filter the frame was rendered with, by which fine_aovs become pixels; auto: the "
+                                       "default of its renderer, or box"));
+    table.push_back(number({"filter_width", "antialias", "filter_width"}, AT(antialias.filter.width), {0, 16}, "pixels",
+                           "of that filter; 0: its usual width"));
+    table.push_back(
+        choice<EdgeCoverage>({"edge_coverage", "antialias", "edge_coverage"}, AT(antialias.coverage),
+                             {{"samples", EdgeCoverage::samples}, {"alpha", EdgeCoverage::alpha}},
+                             "share of a pixel at an edge that fine_aovs cover: by their samples, or by the frame's "
+                             "alpha, for frames rendered over nothing"));
+}
+
 void add_color(std::vector<Setting>& table) {
     table.push_back(text({"ocio_config", "color", "config"}, AT(color.config), SettingKind::path, "FILE",
                          "OpenColorIO config; empty: the one $OCIO names"));
@@ -182,7 +204,8 @@ void add_output(std::vector<Setting>& table) {
 
 std::vector<Setting> make_settings() {
     std::vector<Setting> table;
-    for (auto* add : {add_input, add_light, add_materials, add_quality, add_density, add_surface, add_composite, add_color, add_output})
+    for (auto* add : {add_input, add_light, add_materials, add_quality, add_density, add_surface, add_composite, add_antialias,
+                      add_color, add_output})
         add(table);
     return table;
 }

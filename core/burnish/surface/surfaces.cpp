@@ -86,15 +86,20 @@ void Surfaces::classify_rows() {
     const int width = m_assignment.width, height = m_assignment.height;
     m_validity.resize(m_layers.position->pixel_count(), Validity::unassigned);
     m_counts.rule.resize(m_assignment.counts.size());
-    tbb::enumerable_thread_specific<PixelCounts> counts(m_counts);
-    for_each_index(height - m_frame.margin_above - m_frame.margin_below, [&](int index) {
-        const size_t first = static_cast<size_t>(index + m_frame.margin_above) * width;
+    m_margin_counts = m_counts;
+    tbb::enumerable_thread_specific<PixelCounts> counts(m_counts), margins(m_counts);
+    const int top = m_frame.margin_above - m_frame.shaded_above, bottom = m_frame.margin_below - m_frame.shaded_below;
+    for_each_index(height - top - bottom, [&](int index) {
+        const int y = index + top;
+        const bool is_own = y >= m_frame.margin_above && y < height - m_frame.margin_below;
+        const size_t first = static_cast<size_t>(y) * width;
         const PixelLayers layers{m_layers.position->at(first), m_layers.normal->at(first),
                                  m_layers.depth ? m_layers.depth->at(first) : nullptr, &m_assignment.rule[first]};
         classify(layers, {m_eye, m_settings.min_normal_length}, {&m_validity[first], static_cast<size_t>(width)},
-                 counts.local());
+                 is_own ? counts.local() : margins.local());
     });
     for (const PixelCounts& part : counts) m_counts += part;
+    for (const PixelCounts& part : margins) m_margin_counts += part;
 }
 
 /// The directions tangents follow, from layer, UVs or the axis.

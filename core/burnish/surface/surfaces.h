@@ -23,12 +23,14 @@ public:
     /// Frame and assignment must outlive the surfaces. Needs P, N and the camera; throws Error(missing_channel).
     Surfaces(const AovFrame& frame, const Assignment& assignment, const SurfaceSettings& settings);
 
-    /// Rows of the frame's margins count for nothing and are never valid.
+    /// Rows of the frame's margins count for nothing, and are valid only where they are to be shaded.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
     bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
     const ValidityCounts& counts() const { return m_counts.validity; }
     /// Valid pixels per rule.
     const std::vector<size_t>& rule_counts() const { return m_counts.rule; }
+    /// Whether any pixel that is to be shaded, those of margins included, is of the rule.
+    bool has_rule(size_t rule) const { return m_counts.rule[rule] + m_margin_counts.rule[rule] > 0; }
     /// Where the tangents came from in the end: never `automatic`.
     TangentSource tangent_source() const { return m_settings.tangent; }
     /// Appends the valid pixels of `tile` assigned to `rule`, row by row.
@@ -58,7 +60,7 @@ private:
     Vec3f m_eye;
     Layers m_layers;
     PixelVector<Validity> m_validity;
-    PixelCounts m_counts;
+    PixelCounts m_counts, m_margin_counts;
 };
 
 }  // namespace burnish

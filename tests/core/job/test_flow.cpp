@@ -138,6 +138,16 @@ TEST_F(Flow, BandsKnowTheirNeighboursWhereTangentsComeFromUvs) {
     expect_bands_do_not_show(0);
 }
 
+TEST_F(Flow, BandsOfSparseShadingDoNotShow) {
+    job.density.density = ShadingDensity::sparse;
+    LobeParameters rough;
+    rough.mx = rough.my = 0.4f;
+    job.materials["rough"] = {"rough", Color3f(0, 0, 0), {rough}};
+    job.material = "rough";
+    job.output.diagnostics = true;
+    expect_bands_do_not_show(0);
+}
+
 TEST_F(Flow, BandsOfRulesLayersAndDifferences) {
     job.composite.mode = CompositeMode::difference;
     job.assign = {{"gold", 2, {}, {}}};

@@ -53,7 +53,7 @@ TEST_F(Run, WritesThePixelsThatMemoryGives) {
     EXPECT_EQ(exit_code(report), 0);
     const ColorFlow color(job);
     const Look look = prepare_look(job, prepare_wardrobe(job), light_from_picture(job, color, sky, Renderer::unknown));
-    const FrameResult result = run_frame(job, frame, look, nullptr, Progress());
+    const FrameResult result = run_frame(job, frame, nullptr, look, nullptr, Progress());
     EXPECT_EQ(written("burnish_spec").data, result.composite.overlay.data);
     EXPECT_GT(report.frames[0].lookups, 0);
 }
