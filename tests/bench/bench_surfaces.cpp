@@ -125,11 +125,10 @@ void fill_sparse(benchmark::State& state) {
 
 void composite_add(benchmark::State& state) {
     const AovFrame frame = frame_of_layers();
-    const Assignment assignment = assign_rules(frame, rules());
-    const std::vector<Color3f> kd(2, Color3f(0, 0, 0));
+    const Cover cover{assign_rules(frame, rules()).coverage, {}, {}};
     Image overlay(kWidth, kHeight, 3, 0.25f);
     measure(state, [&] {
-        Composite done = composite(frame, assignment, std::move(overlay), nullptr, kd, {});
+        Composite done = composite(frame, cover, std::move(overlay), nullptr, {});
         benchmark::DoNotOptimize(done.beauty.data.data());
         overlay = std::move(done.overlay);
     });
@@ -142,7 +141,7 @@ void around_shading(benchmark::State& state) {
     const Look look = look_of_nothing(light);
     const Job job;
     measure(state, [&] {
-        const FrameResult result = run_frame(job, frame, look, nullptr, Progress());
+        const FrameResult result = run_frame(job, frame, nullptr, look, nullptr, Progress());
         benchmark::DoNotOptimize(result.composite.beauty.data.data());
     });
 }

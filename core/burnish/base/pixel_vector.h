@@ -1,6 +1,6 @@
 // Vectors for as many values as a frame has pixels: what they hold is left unset unless a value is given, and large ones lie in
-// huge pages, where the system has them. Setting a frame to zero that is overwritten at once, and thousands of page faults,
-// take longer than what is done with its pixels.
+// huge pages, where the system has them, and are used again. Zeroes that are overwritten at once and thousands of page faults
+// take longer than what is done with the pixels.
 #pragma once
 
 #include <cstddef>

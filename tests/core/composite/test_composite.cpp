@@ -1,10 +1,14 @@
+#include "core/simd_targets.h"
+
 #include <burnish/base/error.h>
 #include <burnish/base/types.h>
+#include <burnish/composite/add_overlay.h>
 #include <burnish/composite/composite.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 using namespace burnish;
 
@@ -107,4 +111,38 @@ TEST(Composite, NamesWhatIsMissing) {
         EXPECT_EQ(e.code(), ErrorCode::missing_channel);
         EXPECT_NE(std::string(e.what()).find("specular_direct"), std::string::npos);
     }
+}
+
+TEST(Composite, RowsOfAnyLengthAreTheSameBitsWithEveryInstructionSet) {
+    constexpr size_t kPixels = 45;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> uniform(0, 3);
+    const auto values = [&](size_t count) {
+        std::vector<float> result(count);
+        for (float& value : result) value = uniform(random);
+        return result;
+    };
+    const std::vector<float> shaded = values(3 * kPixels), old = values(3 * kPixels), base = values(3 * kPixels);
+    const std::vector<float> removed = values(3 * kPixels), coverage = values(kPixels), mask = values(kPixels);
+    const std::vector<float> replaced = values(kPixels), alpha = values(kPixels);
+    const Color3f tint(0.9f, 0.7f, 1.3f);
+    constexpr float kGain = 1.7f;
+    burnish_test::for_each_target([&] {
+        std::vector<float> overlay = shaded, beauty(4 * kPixels);
+        add_overlay({overlay.data(), old.data(), base.data(), removed.data(), coverage.data(), replaced.data(), mask.data(),
+                     alpha.data(), beauty.data()},
+                    tint, kGain, kPixels);
+        for (size_t i = 0; i < kPixels; ++i) {
+            const volatile float weight = coverage[i] * mask[i],
+                                 share = replaced[i] * mask[i];  // volatile: rounded after each step
+            for (size_t k = 0; k < 3; ++k) {
+                const volatile float gained = kGain * weight, factor = tint[static_cast<int>(k)] * gained;
+                const volatile float added = (shaded[3 * i + k] - old[3 * i + k]) * factor, taken = removed[3 * i + k] * share;
+                const volatile float sum = base[3 * i + k] + added;
+                EXPECT_EQ(overlay[3 * i + k], added) << i;
+                EXPECT_EQ(beauty[4 * i + k], sum - taken) << i;
+            }
+            EXPECT_EQ(beauty[4 * i + 3], alpha[i]) << i;
+        }
+    });
 }

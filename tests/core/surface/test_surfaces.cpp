@@ -71,6 +71,21 @@ TEST(Surfaces, BatchesHoldUnitVectorsThatFaceTheCamera) {
     EXPECT_TRUE(batch.ng.x.empty());
 }
 
+TEST(Surfaces, BatchesHoldWhatIsAskedForOnly) {
+    AovFrame frame = scenes::sphere_frame(16);
+    frame.layers[Role::geometric_normal] = frame.layers.at(Role::normal);
+    const Assignment assignment = scenes::whole_frame(frame);
+    const Surfaces surfaces(frame, assignment, {});
+    EXPECT_EQ(surfaces.rule_counts(), std::vector<size_t>{count(surfaces, Validity::valid)});
+    SurfaceBatch batch;
+    surfaces.gather({0, 0, 16, 16}, 0, batch, {.position = false, .tangent = false});
+    EXPECT_EQ(batch.size(), count(surfaces, Validity::valid));
+    EXPECT_TRUE(batch.p.x.empty());
+    EXPECT_TRUE(batch.t.x.empty());
+    ASSERT_EQ(batch.ng.x.size(), batch.size());
+    for (size_t i = 0; i < batch.size(); ++i) EXPECT_NEAR((batch.ng[i] - batch.n[i]).length(), 0, 1e-6);
+}
+
 TEST(Surfaces, TangentsFromUvsFollowTheDirectionOfGrowingU) {
     AovFrame frame = scenes::sphere_frame(96);
     Image uv(96, 96, 2);
