@@ -1,35 +1,15 @@
 """Whole jobs on real renders: burnish against the specular that Cycles rendered of the same materials and light."""
 
-import json
-
 import burnish
+import cycles
 import numpy as np
 import pytest
 import scenes
 
 
-def cycles_materials(description):
-    """Materials by pass index, as burnish spells what Cycles rendered."""
-    materials, rules = {}, []
-    for name, m in description["materials"].items():
-        lobe = {"model": "ggx" if m["distribution"] == "GGX" else "beckmann", "tint": m["color"]}
-        if m["anisotropy"]:
-            lobe.update(mx=m["alpha_x"], my=m["alpha_y"], rotation_deg=360 * m["rotation"])
-        else:
-            lobe.update(m=m["alpha"])
-        materials[name] = lobe
-        rules.append({"material": name, "material_index": m["pass_index"]})
-    return materials, rules
-
-
 @pytest.fixture
 def spheres(data):
-    folder = data("cycles/spheres")
-    description = json.loads((folder / "spheres.json").read_text())
-    materials, rules = cycles_materials(description)
-    rotation = description["environment"]["mapping_node"]["rotation_z_deg"]
-    return dict(aovs=folder / "spheres.exr", light=folder / "env_courtyard.exr", materials=materials, assign=rules,
-                up="z", env_rotate=rotation)
+    return cycles.job_of(data("cycles/spheres"), "spheres")
 
 
 def rendered(path):
@@ -39,13 +19,6 @@ def rendered(path):
     return rgb["GlossCol"] * (rgb["GlossDir"] + rgb["GlossInd"]), layers["IndexMA.X"]
 
 
-def interior(index, value, margin=2):
-    """Pixels whose whole (2 margin + 1)^2 neighbourhood wears the material."""
-    inside = np.pad(index == value, margin)
-    windows = np.lib.stride_tricks.sliding_window_view(inside, (2 * margin + 1, 2 * margin + 1))
-    return windows.all((2, 3))
-
-
 def against_cycles(spheres, **settings):
     """Display PSNR and ratio of means of the overlay to Cycles' specular, interior pixels, material by material."""
     specular, index = rendered(spheres["aovs"])
@@ -53,7 +26,7 @@ def against_cycles(spheres, **settings):
     assert layers["report"]["warnings"] == []
     measured = {}
     for rule in spheres["assign"]:
-        mask = interior(index, rule["material_index"])
+        mask = cycles.interior(index, rule["material_index"])
         ratio = layers["overlay"][mask].mean(0) / specular[mask].mean(0)
         measured[rule["material"]] = burnish.compare(layers["overlay"], specular, mask)["psnr_db"], ratio
     return measured

@@ -20,6 +20,7 @@
 #include <burnish/input/frames.h>
 #include <burnish/input/roles.h>
 
+#include <burnish/surface/screen_curvature.h>
 #include <burnish/surface/surfaces.h>
 
 #include <burnish/sampling/density.h>
@@ -31,6 +32,12 @@
 #include <burnish/material/model.h>
 
 #include <burnish/light/environment.h>
+
+#include <burnish/frequency/bandwidth_buffer.h>
+#include <burnish/frequency/light_bandwidth.h>
+#include <burnish/frequency/lobe_bandwidth.h>
+#include <burnish/frequency/local_bandwidth.h>
+#include <burnish/frequency/operators.h>
 
 #include <burnish/shading/dense.h>
 #include <burnish/shading/sparse.h>
@@ -47,6 +54,7 @@
 #include <burnish/job/look.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/run.h>
+#include <burnish/job/run_bandwidth.h>
 #include <burnish/job/run_frame.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>

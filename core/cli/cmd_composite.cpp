@@ -1,11 +1,10 @@
 // burnish composite: frames in, frames with their overlay out.
 #include "command.h"
+#include "job_options.h"
 #include "progress_display.h"
-#include "setting_options.h"
 
 #include <burnish/base/error.h>
 #include <burnish/job/run.h>
-#include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
 
 #include <cstdio>
@@ -14,31 +13,9 @@
 namespace burnish::cli {
 namespace {
 
-struct Options {
-    std::string input;  // EXR, EXR pattern or shot file
-    nlohmann::json values = nlohmann::json::object();
-    std::string progress = "auto";
-    bool quiet = false, verbose = false, as_json = false;
+struct Options : JobOptions {
+    bool verbose = false;
 };
-
-/// The shot file's job with the flags over it; repeatable flags add to what the shot file has.
-Job make_job(const Options& options) {
-    Job job;
-    if (options.input.ends_with(".json"))
-        job = read_shot_file(options.input);
-    else
-        job.aovs = options.input;
-    nlohmann::json values = options.values;
-    for (const Setting& setting : settings()) {
-        const std::string name(setting.name);
-        if (!setting.repeatable() || !values.contains(name)) continue;
-        nlohmann::json held = setting.get(job);
-        merge(held, values[name]);
-        values[name] = std::move(held);
-    }
-    set_settings(job, values, "");
-    return job;
-}
 
 void print_lines(const char* label, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) std::fprintf(stderr, "burnish: %s: %s\n", label, line.c_str());
@@ -76,14 +53,8 @@ int composite(const Options& options) {
 Run add_composite(CLI::App& app) {
     auto* command = app.add_subcommand("composite", "Adds the specular overlay to rendered frames");
     auto options = std::make_shared<Options>();
-    command->add_option("AOVS", options->input, "an EXR, an EXR pattern (shot.####.exr) or a shot file (.json)")->required();
-    add_setting_options(*command, options->values);
-    command->add_option("--progress", options->progress, "auto|none|text|alf|json|openjd, on stderr [auto]")
-        ->check(CLI::IsMember(std::vector<std::string>(std::begin(kProgressFormats), std::end(kProgressFormats))))
-        ->type_name("FORMAT");
-    command->add_flag("-q,--quiet", options->quiet, "print errors only");
+    add_job_options(*command, *options);
     command->add_flag("-v,--verbose", options->verbose, "also print what was found and why");
-    command->add_flag("--json", options->as_json, "print the report as JSON");
     command->add_flag_callback("--schema", print_schema, "print the JSON schema of shot files and end");
     command->footer("Example: burnish composite beauty.exr --env studio.hdr --material chrome -o out.exr");
     return [options] { return composite(*options); };

@@ -12,6 +12,7 @@ namespace burnish::cli {
 using Run = std::function<int()>;
 
 Run add_composite(CLI::App& app);
+Run add_bandwidth(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_envmap(CLI::App& app);
 Run add_compare(CLI::App& app);

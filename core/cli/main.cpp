@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     app.footer(kFooter);
     std::map<std::string, cli::Run> commands;
     commands["composite"] = cli::add_composite(app);
+    commands["bandwidth"] = cli::add_bandwidth(app);
     commands["info"] = cli::add_info(app);
     commands["envmap"] = cli::add_envmap(app);
     commands["compare"] = cli::add_compare(app);

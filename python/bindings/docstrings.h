@@ -227,4 +227,72 @@ Raises
 SizeMismatch
     The shape is another one.)";
 
+inline constexpr const char* LightBandwidth = R"(How fast distant light varies with direction, found by wavelets.
+
+Parameters
+----------
+light : Environment
+    Suns that are apart count as well.)";
+
+inline constexpr const char* LightBandwidth_at = R"(Upper bound of the local bandwidth in a cone of directions.
+
+Parameters
+----------
+d : ndarray, shape (n, 3)
+    Directions in light axes.
+radius : float
+    Half angle of the cone, radian, up to pi / 4.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Cycles per radian.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* LobeBandwidth =
+    R"(Which frequencies of the light a lobe lets through, found by wavelets.
+
+Parameters
+----------
+lobe : Lobe
+    Its tint and strength do not matter.)";
+
+inline constexpr const char* LobeBandwidth_nu_rho = R"(The frequency below which 95 % of the lobe's spectrum lies.
+
+Parameters
+----------
+cos_o : ndarray, shape (n,)
+    Cosine between the view and the normal. Of a lobe that is not round, the largest value over the azimuths.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Cycles per radian of the direction to the light.
+
+Raises
+------
+SizeMismatch
+    The shape is another one.)";
+
+inline constexpr const char* LobeBandwidth_at = R"(Local bandwidth of the lobe as a function of the direction to the light.
+
+Parameters
+----------
+wo, wi : ndarray, shape (n, 3)
+    Unit directions to the viewer and to the light, z along the normal.
+
+Returns
+-------
+ndarray, shape (n,), float32
+    Cycles per radian.
+
+Raises
+------
+SizeMismatch
+    The shapes differ.)";
+
 }  // namespace burnish::python::docs

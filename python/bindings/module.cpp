@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
     bind_tables(module);
     bind_material(module);
     bind_light(module);
+    bind_bandwidth(module);
     bind_job(module);
     bind_files(module);
 }

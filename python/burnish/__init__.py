@@ -14,8 +14,9 @@ from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, Lobe, __version__
+from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
 from . import _core, _documentation
+from ._bandwidth import local_bandwidth
 from .errors import (
     BadArgument,
     Cancelled,
@@ -39,7 +40,9 @@ __all__ = [
     "ColorSpaceError",
     "Environment",
     "Error",
+    "LightBandwidth",
     "Lobe",
+    "LobeBandwidth",
     "MissingChannel",
     "ReadFailed",
     "SizeMismatch",
@@ -48,6 +51,7 @@ __all__ = [
     "compare",
     "composite",
     "info",
+    "local_bandwidth",
     "models",
     "presets",
     "roles",

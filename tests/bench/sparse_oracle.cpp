@@ -17,12 +17,6 @@ double exposure(const Image& picture, const Image& mask) {
     return 0.18 * count / sum;
 }
 
-/// As a display shows it: clamped and sRGB-encoded.
-double encoded(double x) {
-    x = std::clamp(x, 0.0, 1.0);
-    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-}
-
 struct Tiles {
     const Image &picture, &mask;
     double scale;  // of the picture before the display
@@ -70,6 +64,11 @@ bool is_enough(const Tiles& tiles, int x0, int y0, int step, double mean_square_
 }
 
 }  // namespace
+
+double encoded(double x) {
+    x = std::clamp(x, 0.0, 1.0);
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
 
 size_t oracle_pixels(const Image& picture, const Image& mask, double db) {
     const Tiles tiles{picture, mask, exposure(picture, mask)};

@@ -9,4 +9,7 @@ namespace burnish {
 /// interpolation stays within `db` (display PSNR, over the tile's pixels in `mask`) of the picture itself.
 size_t oracle_pixels(const Image& picture, const Image& mask, double db = 45);
 
+/// As a display shows it: clamped and sRGB-encoded.
+double encoded(double x);
+
 }  // namespace burnish

@@ -17,20 +17,19 @@ struct Colors {
     HWY_INLINE Colors(D d, const float* pixels) { hn::LoadInterleaved3(d, pixels, c[0], c[1], c[2]); }
 };
 
-/// Shares of pixels `at` and on, masked.
 template <class D>
-HWY_INLINE hn::Vec<D> weights(D d, const OverlayRow& row, const float* shares, size_t at) {
-    const auto coverage = hn::LoadU(d, shares + at);
-    if (!row.mask) return coverage;
+HWY_INLINE hn::Vec<D> masked(D d, const float* share, const OverlayRow& row, size_t at) {
+    const auto whole = hn::LoadU(d, share + at);
+    if (!row.mask) return whole;
     const auto mask = hn::LoadU(d, row.mask + at);
-    return hn::IfThenElseZero(hn::IsFinite(mask), hn::Mul(coverage, mask));
+    return hn::IfThenElseZero(hn::IsFinite(mask), hn::Mul(whole, mask));
 }
 
 /// Pixels [at, end), whole vectors of them; returns where it stopped.
 template <class D>
 HWY_INLINE size_t add_vectors(D d, const OverlayRow& row, const Color3f& tint, float gain, size_t at, size_t end) {
     for (; at + hn::Lanes(d) <= end; at += hn::Lanes(d)) {
-        const auto weight = weights(d, row, row.coverage, at), gained = hn::Mul(hn::Set(d, gain), weight);
+        const auto gained = hn::Mul(hn::Set(d, gain), masked(d, row.coverage, row, at));
         Colors<D> added(d, row.overlay + 3 * at), sum(d, row.base + 3 * at);
         if (row.old_overlay) {
             const Colors<D> old(d, row.old_overlay + 3 * at);
@@ -42,8 +41,8 @@ HWY_INLINE size_t add_vectors(D d, const OverlayRow& row, const Color3f& tint, f
         }
         if (row.removed) {
             const Colors<D> removed(d, row.removed + 3 * at);
-            const auto share = weights(d, row, row.replaced, at);
-            for (int k = 0; k < 3; ++k) sum.c[k] = hn::Sub(sum.c[k], hn::Mul(removed.c[k], share));
+            const auto weight = masked(d, row.replaced, row, at);
+            for (int k = 0; k < 3; ++k) sum.c[k] = hn::Sub(sum.c[k], hn::Mul(removed.c[k], weight));
         }
         const auto alpha = row.alpha ? hn::LoadU(d, row.alpha + at) : hn::Set(d, 1.0f);
         hn::StoreInterleaved3(added.c[0], added.c[1], added.c[2], d, row.overlay + 3 * at);

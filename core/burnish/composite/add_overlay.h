@@ -12,13 +12,13 @@ struct OverlayRow {
     float* overlay;                    // in: as shaded; out: as added
     const float* old_overlay;          // taken off the overlay; or null
     const float *base, *removed;       // what the overlay goes over, and what is taken out of that, or null
-    const float *coverage, *replaced;  // one channel: shares of the pixel, of the overlay and of what is removed
+    const float *coverage, *replaced;  // one channel: shares of the overlay, and of what is taken out
     const float *mask, *alpha;         // one channel; may be null, which is 1
     float* beauty;                     // out
 };
 
-/// overlay <- (overlay - old) scale w and beauty <- base + overlay - removed v, for `count` pixels; w = coverage * mask, v = replaced * mask,
-/// 0 where the mask is not finite. The same bits on every processor.
+/// overlay <- (overlay - old) scale coverage mask and beauty <- base + overlay - removed replaced mask, for `count` pixels; a mask
+/// that is not finite is 0. The same bits on every processor.
 void add_overlay(const OverlayRow& row, const Color3f& tint, float gain, size_t count);
 
 }  // namespace burnish

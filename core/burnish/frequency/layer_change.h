@@ -20,10 +20,11 @@ public:
     void add(int y, int first, int count, int dx, int dy, float* squares) const;
 
 private:
-    /// Of values a and b of a layer: the turning that shows as much, infinite where one is too much to interpolate.
+    /// Of values a and b of neighbours, and the one before a: the turning that shows as much, infinite where one is too much to
+    /// interpolate. Before is null where a may be the corner of every cell, at which a line may bend.
     struct Layer {
         const Image* image;
-        float (*change)(const float* a, const float* b);
+        float (*change)(const float* before, const float* a, const float* b);
     };
     std::vector<Layer> m_layers;
 };

@@ -5,22 +5,8 @@
 #include <burnish/job/stages.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace burnish {
-namespace {
-
-/// Output of an earlier run that its inputs have not outdated.
-bool is_up_to_date(const FrameTask& task) {
-    std::error_code none;
-    const auto written = std::filesystem::last_write_time(task.output, none);
-    const auto is_older = [&](const std::string& input) {
-        return !none && written > std::filesystem::last_write_time(input, none) && !none;
-    };
-    return is_older(task.aovs) && (task.fine_aovs.empty() || is_older(task.fine_aovs));
-}
-
-}  // namespace
 
 std::shared_ptr<Band> BandSource::next() {
     if (m_task >= m_tasks.size()) return nullptr;

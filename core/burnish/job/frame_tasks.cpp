@@ -50,6 +50,15 @@ std::string source(const std::string& pattern, int frame) {
 
 }  // namespace
 
+bool is_up_to_date(const FrameTask& task) {
+    std::error_code none;
+    const auto written = std::filesystem::last_write_time(task.output, none);
+    const auto is_older = [&](const std::string& input) {
+        return !none && written > std::filesystem::last_write_time(input, none) && !none;
+    };
+    return is_older(task.aovs) && (task.fine_aovs.empty() || is_older(task.fine_aovs));
+}
+
 std::vector<FrameTask> frame_tasks(const Job& job) {
     check_files(job);
     if (!has_frame_token(job.aovs)) {

@@ -57,11 +57,9 @@ void add(const std::vector<size_t>& counts, std::vector<size_t>& sums) {
     for (size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
 }
 
-bool has_shaded_margins(const AovFrame& frame) { return frame.shaded_above + frame.shaded_below > 0; }
-
 /// Lookups of the frame's own rows: those of its margins are another band's.
 double own_lookups(const AovFrame& frame, const ShadedFrame& shaded) {
-    if (!has_shaded_margins(frame)) return shaded.lookups;
+    if (!frame.has_shaded_margins()) return shaded.lookups;
     double lookups = 0;
     for (int y = frame.margin_above; y < shaded.samples.height - frame.margin_below; ++y)
         lookups = std::accumulate(shaded.samples.at(0, y), shaded.samples.at(0, y) + shaded.samples.width, lookups);
@@ -124,13 +122,13 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
     result.tally = tally_of(surfaces, assignment);
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
-    const bool with_samples = job.output.diagnostics || has_shaded_margins(shown);
     timed(seconds, "shading", [&] {
+        const bool with_samples = job.output.diagnostics || shown.has_shaded_margins();
         result.shaded = shade(shown, surfaces, assignment, look.shaders, look.predictors,
                               part_of(progress, 0.0f, difference ? 0.5f : 1.0f), with_samples);
         if (difference)
             old = shade(shown, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f),
-                        with_samples);
+                        shown.has_shaded_margins());
     });
     result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
     const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {

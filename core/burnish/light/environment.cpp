@@ -26,6 +26,8 @@ const GaussianStack& Environment::gaussian_stack() const {
     return filtered.stack;
 }
 
-int Environment::face_size() const { return m_filtered->faces[0].width; }
+const std::array<Image, 6>& Environment::faces() const { return m_filtered->faces; }
+
+int Environment::face_size() const { return faces()[0].width; }
 
 }  // namespace burnish

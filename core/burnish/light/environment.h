@@ -57,6 +57,8 @@ public:
     const CubePyramid& pyramid() const;
     const GaussianStack& gaussian_stack() const;
     int face_size() const;
+    /// What both are made from: +X -X +Y -Y +Z -Z, RGB.
+    const std::array<Image, 6>& faces() const;
     const std::vector<BrightDisc>& discs() const { return m_discs; }
     /// World direction -> light axes, as row vector times matrix: convention, up axis, rotation and flip in one (a flip makes
     /// its determinant negative).

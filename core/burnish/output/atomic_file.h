@@ -18,6 +18,8 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     std::FILE* handle() const { return m_file; }
+    /// Where it is until commit(), for libraries that open files by name.
+    const std::filesystem::path& hidden_path() const { return m_hidden; }
     /// Flushes, closes and renames over the target; throws Error(write_failed) when the disk did not take every byte.
     void commit();
     /// Throws Error(write_failed) that names the target and `reason`.

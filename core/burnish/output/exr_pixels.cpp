@@ -41,11 +41,15 @@ void interleave(const std::vector<OutputLayer>& layers, const OIIO::ImageSpec& s
 
 }  // namespace
 
-LayerFile::LayerFile(const std::string& file, const OIIO::ImageSpec& spec)
-    : m_target(file),
+/// OpenImageIO writes several parts to a file of a name only, not to a stream.
+LayerFile::LayerFile(const std::string& file, const std::vector<OIIO::ImageSpec>& parts)
+    : m_parts(parts),
+      m_target(file),
       m_stream(m_target.handle(), OIIO::Filesystem::IOProxy::Write),
-      m_output(OIIO::ImageOutput::create("openexr", &m_stream)) {
-    if (!m_output || !m_output->open(file, spec)) m_target.fail(m_output ? m_output->geterror() : OIIO::geterror());
+      m_output(OIIO::ImageOutput::create("openexr", parts.size() == 1 ? &m_stream : nullptr)) {
+    const std::string name = parts.size() == 1 ? file : m_target.hidden_path().string();
+    if (!m_output || !m_output->open(name, static_cast<int>(m_parts.size()), m_parts.data()))
+        m_target.fail(m_output ? m_output->geterror() : OIIO::geterror());
 }
 
 void LayerFile::append(const std::vector<OutputLayer>& layers, int begin, int end) {
@@ -59,6 +63,12 @@ void LayerFile::append(const std::vector<OutputLayer>& layers, int begin, int en
         if (!m_output->write_scanlines(y, y + count, 0, OIIO::TypeUnknown, rows.data())) m_target.fail(m_output->geterror());
         m_rows += count;
     }
+}
+
+void LayerFile::next_part() {
+    m_rows = 0;
+    if (!m_output->open(m_target.hidden_path().string(), m_parts[++m_part], OIIO::ImageOutput::AppendSubimage))
+        m_target.fail(m_output->geterror());
 }
 
 void LayerFile::finish() {

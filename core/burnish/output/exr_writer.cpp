@@ -48,6 +48,26 @@ void write_exr(const std::string& file, const AovFrame& frame, const std::vector
     writer.finish();
 }
 
+void write_exr_parts(const std::string& file, const AovFrame& frame, const std::vector<OutputPart>& parts, PixelType type) {
+    std::vector<OIIO::ImageSpec> specs;
+    AovFrame header;
+    header.file = frame.file, header.metadata = frame.metadata;
+    header.data_window = frame.data_window, header.display_window = frame.display_window;
+    for (const OutputPart& part : parts) {
+        header.data_window.width = part.layers.front().image->width;
+        header.data_window.height = part.layers.front().image->height;
+        check_sizes(file, header.data_window, part.layers);
+        specs.push_back(output_spec(file, header, part.layers, type));
+        specs.back().attribute("oiio:subimagename", part.name);
+    }
+    LayerFile output(file, specs);
+    for (size_t i = 0; i < parts.size(); ++i) {
+        if (i > 0) output.next_part();
+        output.append(parts[i].layers, 0, specs[i].height);
+    }
+    output.finish();
+}
+
 void write_text(const std::string& file, const std::string& text) {
     AtomicFile target(file);
     if (std::fwrite(text.data(), 1, text.size(), target.handle()) != text.size()) target.fail("the disk did not take all data");

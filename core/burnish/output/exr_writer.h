@@ -42,6 +42,16 @@ private:
 /// The same for layers of the whole frame. Throws Error(write_failed | size_mismatch | bad_argument).
 void write_exr(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type);
 
+/// A part of a multi-part file: images of one size, which may be smaller than the frame.
+struct OutputPart {
+    std::string name;
+    std::vector<OutputLayer> layers;
+};
+
+/// Several parts in one file, all with the frame's metadata and display window; their data windows begin where the frame's does.
+/// Channels of different parts may share names. Throws Error(write_failed | size_mismatch | bad_argument).
+void write_exr_parts(const std::string& file, const AovFrame& frame, const std::vector<OutputPart>& parts, PixelType type);
+
 /// Writes any bytes just so: whole or not at all (reports, JSON). Throws Error(write_failed).
 void write_text(const std::string& file, const std::string& text);
 

@@ -83,12 +83,6 @@ private:
     int m_rows = 0;                               // appended
 };
 
-void write_png(const std::string& file, const Image& rgb) {
-    PngFile png(file, rgb.width, rgb.height);
-    png.append(rgb, 0, 0);
-    png.finish();
-}
-
 }  // namespace
 
 struct PreviewWriter::State {
@@ -107,8 +101,14 @@ void PreviewWriter::append(const Image& image, int above, int below) {
 
 void PreviewWriter::finish() { m_state->png.finish(); }
 
+void write_code_values(const std::string& file, const Image& rgb) {
+    PngFile png(file, rgb.width, rgb.height);
+    png.append(rgb, 0, 0);
+    png.finish();
+}
+
 void write_preview(const std::string& file, const Image& image, const PreviewSettings& settings) {
-    write_png(file, displayed(image, settings));
+    write_code_values(file, displayed(image, settings));
 }
 
 void write_before_after(const std::string& file, const Image& before, const Image& after, const PreviewSettings& settings) {
@@ -118,7 +118,7 @@ void write_before_after(const std::string& file, const Image& before, const Imag
     Image both(before.width + kLineWidth + after.width, before.height, 3, kLineValue);
     paste(displayed(before, settings), 0, both);
     paste(displayed(after, settings), before.width + kLineWidth, both);
-    write_png(file, both);
+    write_code_values(file, both);
 }
 
 }  // namespace burnish

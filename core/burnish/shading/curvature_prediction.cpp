@@ -20,6 +20,7 @@ constexpr float kMean = 0.18f;        // of a picture as a display shows it
 constexpr float kDarkest = 0.0015f;   // of which a display shows no more detail than linearly
 constexpr float kNarrow = 1.0f;       // the narrowest part of a lobe with a long tail, in widths of the whole
 constexpr float kSteepest = 0.05f;    // cosine of the view below which a lobe's image gets no narrower
+constexpr float kLowest = 0.01f;      // height of a half vector, before it is made a unit one
 
 /// Mean luminance of the light over all directions, its suns apart.
 float mean_luminance(const GaussianStack& stack) {
@@ -37,6 +38,14 @@ float mean_luminance(const GaussianStack& stack) {
 /// Width of the shorter axis of the lobe's image, radian.
 float image_width(const Vec2f& widths, float cos_o) {
     return std::sqrt(2.0f) * std::min(widths.x, widths.y) * std::max(cos_o, kSteepest);
+}
+
+/// The angle between the mirrored view and d that counts as much for the lobe as along its narrow axis: by half vectors, whose
+/// slopes the widths are of.
+float narrow_angle(const ShadingPoint& point, const Vec3f& d, float side_sign) {
+    const Vec3f wi = point.frame.to_local(d), sum(point.wo.x + wi.x, point.wo.y + wi.y, point.wo.z + wi.z * side_sign);
+    const float slope = std::hypot(sum.x / point.mx, sum.y / point.my) / std::max(sum.z, kLowest);
+    return 2 * std::atan(slope * std::min(point.mx, point.my));
 }
 
 }  // namespace
@@ -123,14 +132,14 @@ void CurvaturePrediction::add_suns(const LobeProbes& probes, const SurfaceBatch&
             const ShadingPoint point = shading_point(batch, i, probes.lobe, m_light.world_to_light());
             const auto lobe = prototype.with_widths(point.mx, point.my);
             const float width = image_width({point.mx, point.my}, point.wo.z);
-            const Vec3f mirrored(-point.wo.x, -point.wo.y, point.wo.z * prototype.side_sign);
+            const float reach = kCurvatureReach * std::sqrt(2.0f) * std::min(point.mx, point.my);
             for (const BrightDisc& disc : m_light.discs()) {
                 const float spread = std::hypot(width, disc.radius()), step = 0.25f * spread;
-                const float angle = std::acos(std::clamp(point.frame.to_world(mirrored).dot(disc.direction), -1.0f, 1.0f));
-                const float nearest = std::max(angle - kCurvatureReach * width, 0.0f) * width / spread;
+                const float angle = narrow_angle(point, disc.direction, prototype.side_sign);
+                const float nearest = std::max(angle - reach, 0.0f) * width / spread;
                 const auto density = [&](float theta) {
-                    const float tilt = 0.5f * std::fabs(theta), sine = std::sin(tilt) / std::sqrt(2.0f);
-                    return lobe.D({sine, sine, std::cos(tilt)});
+                    const float sine = std::sin(0.5f * std::fabs(theta)), cosine = std::cos(0.5f * theta);
+                    return lobe.D(point.mx < point.my ? Vec3f(sine, 0, cosine) : Vec3f(0, sine, cosine));
                 };
                 const float here = density(nearest), below = density(nearest - step), above = density(nearest + step);
                 const float along = std::fabs(below - 2 * here + above) / (step * step);

@@ -1,11 +1,19 @@
 #include <burnish/shading/predictor.h>
 
 #include <burnish/shading/curvature_prediction.h>
+#include <burnish/shading/wavelet_prediction.h>
+
+#include <variant>
 
 namespace burnish {
 
-struct BandwidthPredictor::Variant : CurvaturePrediction {
-    using CurvaturePrediction::CurvaturePrediction;
+struct BandwidthPredictor::Variant {
+    std::variant<CurvaturePrediction, WaveletPrediction> prediction;
+
+    static Variant of(const Material& material, const Environment& light, const DensitySettings& settings) {
+        if (settings.prediction == PredictionKind::curvature) return {CurvaturePrediction(material, light, settings)};
+        return {WaveletPrediction(material, light, settings)};
+    }
 };
 
 namespace {
@@ -18,7 +26,7 @@ PerPixel operator|(const PerPixel& a, const PerPixel& b) {
 }  // namespace
 
 BandwidthPredictor::BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings)
-    : m_variant(std::make_shared<Variant>(material, light, settings)) {
+    : m_variant(std::make_shared<Variant>(Variant::of(material, light, settings))) {
     for (const LobeParameters& lobe : material.lobes) {
         m_is_anisotropic |= lobe.is_anisotropic();
         m_used_layers = m_used_layers | lobe.per_pixel;
@@ -26,7 +34,7 @@ BandwidthPredictor::BandwidthPredictor(const Material& material, const Environme
 }
 
 void BandwidthPredictor::predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const {
-    m_variant->predict(batch, out);
+    std::visit([&](const auto& prediction) { prediction.predict(batch, out); }, m_variant->prediction);
 }
 
 PerPixel used_layers(std::span<const BandwidthPredictor> predictors) {

@@ -24,6 +24,9 @@ struct AngularPrediction {
     float length;  // radian the lobe reaches along its tangent, with which it turns; 0 for round lobes
 };
 
+/// Share of a period 1 / nu_a that interpolation may span, of a display signal from black to white; by calibration.
+inline constexpr float kCellPeriods = 0.17f;
+
 class BandwidthPredictor {
 public:
     /// The environment must outlive the predictor.

@@ -11,8 +11,7 @@
 namespace burnish {
 namespace {
 
-constexpr float kCellPeriods = 0.19f;  // of a display signal from black to white, across a cell; by calibration
-constexpr float kDiagonal = 0.7071f;   // from a cell's centre to its corner, in sides
+constexpr float kDiagonal = 0.7071f;  // from a cell's centre to its corner, in sides
 constexpr int kTop = CellTurning::kLevels - 1;
 constexpr int kSmallestAlone = 1;  // level of 4 pixels: at edges smaller cells are not worth a prediction of their own
 constexpr int kTile = 8;           // blocks a side that are planned at once
@@ -64,9 +63,12 @@ struct ShadingPlan::Planner {
     float turning_of(const Cell& cell) const { return plan.m_turning.at(cell.level, cell.column, cell.row); }
     float motion_of(const Cell& cell) const { return 2 * turning_of(cell) + cell.others; }
     static float extent_of(const Cell& cell) { return kDiagonal * static_cast<float>(cell.size()); }
+    uint32_t corner_of(const Cell& cell) const {
+        return static_cast<uint32_t>(cell.row * cell.size()) * static_cast<uint32_t>(assignment.width) +
+               static_cast<uint32_t>(cell.column * cell.size());
+    }
     uint32_t centre_of(const Cell& cell) const {
-        const int half = cell.size() / 2, x = cell.column * cell.size() + half, y = cell.row * cell.size() + half;
-        return static_cast<uint32_t>(y) * static_cast<uint32_t>(assignment.width) + static_cast<uint32_t>(x);
+        return corner_of(cell) + static_cast<uint32_t>(cell.size() / 2 * (assignment.width + 1));
     }
 
     void predict(int rule) {
@@ -78,6 +80,7 @@ struct ShadingPlan::Planner {
         if (own.empty()) return;
         const BatchNeeds needs = predictors[static_cast<size_t>(rule)].needs();
         surfaces.fill(centres, needs);
+        if (!centres.roughness.empty()) take_sharpest();
         predictions.resize(own.size());
         predictors[static_cast<size_t>(rule)].predict(centres, predictions);
         add_other_motion(needs);
@@ -88,6 +91,19 @@ struct ShadingPlan::Planner {
             else
                 split(own[i]);
         }
+    }
+
+    /// The centres stand for cells where the lobe may be narrower: take the least roughness of centre and corners.
+    void take_sharpest() {
+        neighbours.clear();
+        for (size_t i = 0; i < own.size(); ++i)
+            for (const int down : {0, own[i].size()})
+                for (const int right : {0, own[i].size()})
+                    neighbours.pixel.push_back(corner_of(own[i]) + static_cast<uint32_t>(down * assignment.width + right));
+        surfaces.fill(neighbours, {false, false});
+        for (size_t i = 0; i < own.size(); ++i)
+            for (size_t k = 4 * i; k < 4 * i + 4; ++k)
+                centres.roughness[i] = std::min(centres.roughness[i], neighbours.roughness[k]);
     }
 
     /// Radian per pixel that the view turns, and the lobe's far end with its tangent, from the centres to their neighbours. What was
@@ -104,8 +120,10 @@ struct ShadingPlan::Planner {
             if (own[i].reach != kUnknown) continue;
             for (int side = 0; side < 2; ++side, ++k) {
                 float change = (neighbours.wo[k] - centres.wo[i]).length();
-                if (const float length = predictions[i].length; length > 0)
+                if (const float length = predictions[i].length; length > 0) {
                     change += length * (neighbours.t[k] - centres.t[i]).length();
+                    if (!centres.rotation.empty()) change += length * std::fabs(neighbours.rotation[k] - centres.rotation[i]);
+                }
                 own[i].others = std::max(own[i].others, change);
             }
         }

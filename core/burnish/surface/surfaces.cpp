@@ -86,22 +86,20 @@ void Surfaces::classify_rows() {
     const int width = m_assignment.width, height = m_assignment.height;
     m_validity.resize(m_layers.position->pixel_count(), Validity::unassigned);
     m_counts.rule.resize(m_assignment.counts.size());
-    const PixelCounts none = m_counts;
-    tbb::enumerable_thread_specific<PixelCounts> counts(none), of_margins(none);
+    m_margin_counts = m_counts;
+    tbb::enumerable_thread_specific<PixelCounts> counts(m_counts), margins(m_counts);
     const int top = m_frame.margin_above - m_frame.shaded_above, bottom = m_frame.margin_below - m_frame.shaded_below;
     for_each_index(height - top - bottom, [&](int index) {
         const int y = index + top;
+        const bool is_own = y >= m_frame.margin_above && y < height - m_frame.margin_below;
         const size_t first = static_cast<size_t>(y) * width;
         const PixelLayers layers{m_layers.position->at(first), m_layers.normal->at(first),
                                  m_layers.depth ? m_layers.depth->at(first) : nullptr, &m_assignment.rule[first]};
-        const bool is_own = y >= m_frame.margin_above && y < height - m_frame.margin_below;
         classify(layers, {m_eye, m_settings.min_normal_length}, {&m_validity[first], static_cast<size_t>(width)},
-                 (is_own ? counts : of_margins).local());
+                 is_own ? counts.local() : margins.local());
     });
     for (const PixelCounts& part : counts) m_counts += part;
-    PixelCounts all = m_counts;
-    for (const PixelCounts& part : of_margins) all += part;
-    m_pixels_of_rule = all.rule;
+    for (const PixelCounts& part : margins) m_margin_counts += part;
 }
 
 /// The directions tangents follow, from layer, UVs or the axis.
@@ -158,7 +156,7 @@ void Surfaces::fill_parameters(SurfaceBatch& batch) const {
 }
 
 void Surfaces::list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const {
-    if (!has_pixels(static_cast<size_t>(rule))) return;
+    if (!has_rule(static_cast<size_t>(rule))) return;
     collect({m_validity.data(), m_assignment.rule.data(), static_cast<size_t>(m_assignment.width)}, tile, rule, pixels);
 }
 

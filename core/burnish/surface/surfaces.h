@@ -27,10 +27,10 @@ public:
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
     bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
     const ValidityCounts& counts() const { return m_counts.validity; }
-    /// Valid pixels per rule, the margins' apart.
+    /// Valid pixels per rule.
     const std::vector<size_t>& rule_counts() const { return m_counts.rule; }
-    /// Whether any pixel is to be shaded by a rule.
-    bool has_pixels(size_t rule) const { return m_pixels_of_rule[rule] > 0; }
+    /// Whether any pixel that is to be shaded, those of margins included, is of the rule.
+    bool has_rule(size_t rule) const { return m_counts.rule[rule] + m_margin_counts.rule[rule] > 0; }
     /// Where the tangents came from in the end: never `automatic`.
     TangentSource tangent_source() const { return m_settings.tangent; }
     /// Appends the valid pixels of `tile` assigned to `rule`, row by row.
@@ -60,8 +60,7 @@ private:
     Vec3f m_eye;
     Layers m_layers;
     PixelVector<Validity> m_validity;
-    PixelCounts m_counts;
-    std::vector<size_t> m_pixels_of_rule;  // margins included
+    PixelCounts m_counts, m_margin_counts;
 };
 
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <limits>
@@ -253,6 +254,28 @@ TEST(ExrWriter, WritesThroughASymbolicLink) {
     write_text(scratch.file("link.txt"), "new");
     EXPECT_TRUE(std::filesystem::is_symlink(scratch.path() / "link.txt"));
     EXPECT_EQ(bytes_of(scratch.file("real.txt")), "new");
+}
+
+TEST(ExrWriter, WritesPartsOfDifferentSizes) {
+    const Scratch scratch;
+    const AovFrame frame = overscan_frame();
+    const Image fine = ramp(frame.data_window, 1), coarse = ramp({0, 0, 3, 2}, 1, 2.0f);
+    const std::string file = scratch.file("parts.exr");
+    write_exr_parts(file, frame, {{"full", {{{"level.X"}, &fine}}}, {"half", {{{"level.X"}, &coarse}}}}, PixelType::float32);
+    OIIO::ImageBuf first(file, 0, 0), second(file, 1, 0);
+    ASSERT_TRUE(first.read(0, 0) && second.read(1, 0)) << second.geterror();
+    EXPECT_EQ(first.nsubimages(), 2);
+    EXPECT_EQ(second.spec().get_string_attribute("oiio:subimagename"), "half");
+    for (const auto& [part, image, window] :
+         {std::tuple{&first, &fine, Window{-2, -1, 5, 4}}, {&second, &coarse, {-2, -1, 3, 2}}}) {
+        const OIIO::ImageSpec& spec = part->spec();
+        EXPECT_EQ((Window{spec.x, spec.y, spec.width, spec.height}), window);
+        EXPECT_EQ(spec.full_width, 10);
+        auto pixels = image->data;
+        std::ranges::fill(pixels, 0.0f);
+        ASSERT_TRUE(part->get_pixels(part->roi(), OIIO::TypeFloat, pixels.data()));
+        EXPECT_EQ(pixels, image->data);
+    }
 }
 
 }  // namespace
