@@ -156,7 +156,7 @@ void Surfaces::fill_parameters(SurfaceBatch& batch) const {
 }
 
 void Surfaces::list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const {
-    if (m_counts.rule[static_cast<size_t>(rule)] == 0) return;
+    if (!has_rule(static_cast<size_t>(rule))) return;
     collect({m_validity.data(), m_assignment.rule.data(), static_cast<size_t>(m_assignment.width)}, tile, rule, pixels);
 }
 
