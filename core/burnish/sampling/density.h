@@ -12,10 +12,11 @@ enum class ShadingDensity { dense, sparse };
 enum class PredictionKind { curvature, correlated, source };
 
 struct DensitySettings {
-    ShadingDensity density = ShadingDensity::dense;
+    ShadingDensity density = ShadingDensity::sparse;
     PredictionKind prediction = PredictionKind::curvature;
-    int directions = 0;   // per lobe and prediction (n_b), 0 = by kind
-    float safety = 1.0f;  // multiplies the predicted bandwidth: 1 keeps sparse within 45 dB of dense on the validation set
+    int directions = 0;  // per lobe and prediction (n_b), 0 = by kind
+    float safety =
+        2.0f;  // multiplies the predicted bandwidth: 1 keeps sparse within 45 dB of dense on the validation set, 2 within 55
 };
 
 }  // namespace burnish
