@@ -62,7 +62,7 @@ def print_sweep(options):
 
 
 def print_flicker(options):
-    """Of dense and sparse against the truth, object by object."""
+    """Of dense and sparse against the truth, object by object and over all of them."""
     names = [f"anim_{frame:04d}" for frame in range(1, options.frames + 1)]
     jobs = [cycles.job_of(options.folder, name) | {"camera": options.folder / f"{name}.json"} for name in names]
     jobs = [job | {"estimator": options.estimator} for job in jobs]
@@ -72,11 +72,13 @@ def print_flicker(options):
     truth = [burnish.composite(**job | exact)["overlay"] for job in jobs]
     indices = [material_index(job) for job in jobs]
     print("object,dense,sparse,ratio,sparse_against_dense")
-    for rule in jobs[0]["assign"]:
-        masks = [cycles.interior(index, rule["material_index"]) for index in indices]
+    objects = {rule["material"]: [cycles.interior(index, rule["material_index"]) for index in indices]
+               for rule in jobs[0]["assign"]}
+    objects["all"] = [np.logical_or.reduce(masks) for masks in zip(*objects.values())]
+    for name, masks in objects.items():
         of_dense, of_sparse = cycles.flicker(dense, truth, masks), cycles.flicker(sparse, truth, masks)
         own = cycles.flicker(sparse, dense, masks)
-        print(f"{rule['material']},{of_dense:.5f},{of_sparse:.5f},{of_sparse / of_dense:.3f},{own:.5f}", flush=True)
+        print(f"{name},{of_dense:.5f},{of_sparse:.5f},{of_sparse / of_dense:.3f},{own:.5f}", flush=True)
 
 
 def print_shot(options):
