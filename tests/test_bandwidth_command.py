@@ -91,7 +91,7 @@ def test_predictions_are_in_order_and_safety_multiplies(cli, job, tmp_path):
     job[5] = "rubber"
     correlated, source = bandwidth("--prediction", "correlated"), bandwidth("--prediction", "source")
     assert (source >= correlated).all() and source.mean() > correlated.mean()
-    assert np.allclose(bandwidth("--prediction", "correlated", "--safety", "2"), 2 * correlated, rtol=1e-5)
+    assert np.allclose(bandwidth("--prediction", "correlated", "--safety", "4"), 2 * correlated, rtol=1e-5)
     assert not np.array_equal(bandwidth("--prediction", "correlated", "--directions", "16"), correlated)
     assert not np.array_equal(bandwidth(), correlated)
 

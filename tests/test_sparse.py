@@ -20,6 +20,14 @@ def move(data):
     return [cycles.job_of(folder, name) | {"camera": folder / f"{name}.json"} for name in names]
 
 
+def dense_of(job, **settings):
+    return burnish.composite(**job, density="dense", **settings)
+
+
+def sparse_of(job, safety=1):
+    return burnish.composite(**job, density="sparse", safety=safety)
+
+
 def material_index(job):
     return scenes.read_exr(job["aovs"])["ViewLayer.IndexMA.X"]
 
@@ -27,7 +35,7 @@ def material_index(job):
 def test_sparse_shows_what_dense_shows_with_fewer_pixels(spheres):
     """Measured: 47.8 dB with 65 % of the pixels; 45.8 dB and more on each object's interior, 43.2 on the two of 1:11, where the
     pattern of `regular` leaves more detail in dense than the lobe has."""
-    dense, sparse = burnish.composite(**spheres), burnish.composite(**spheres, density="sparse")
+    dense, sparse = dense_of(spheres), sparse_of(spheres)
     valid = dense["validity"] == 0
     assert (sparse["samples"] > 0).sum() < 0.75 * valid.sum()
     assert burnish.compare(sparse["overlay"], dense["overlay"], valid.astype(np.float32))["psnr_db"] > 45
@@ -38,19 +46,19 @@ def test_sparse_shows_what_dense_shows_with_fewer_pixels(spheres):
 
 
 def test_nothing_leaks_where_nothing_was_shaded(spheres):
-    sparse = burnish.composite(**spheres, density="sparse")
+    sparse = sparse_of(spheres)
     assert np.all(sparse["overlay"][sparse["validity"] != 0] == 0)
 
 
 def test_shaded_pixels_are_those_of_dense(spheres):
-    dense, sparse = burnish.composite(**spheres), burnish.composite(**spheres, density="sparse")
+    dense, sparse = dense_of(spheres), sparse_of(spheres)
     own = sparse["samples"] > 0
     assert np.array_equal(sparse["overlay"][own], dense["overlay"][own])
 
 
 def test_more_safety_is_more_quality_and_more_work(spheres):
-    dense = burnish.composite(**spheres)["overlay"]
-    runs = [burnish.composite(**spheres, density="sparse", safety=safety) for safety in (0.25, 1, 4)]
+    dense = dense_of(spheres)["overlay"]
+    runs = [sparse_of(spheres, safety) for safety in (0.25, 1, 4)]
     quality = [burnish.compare(run["overlay"], dense)["psnr_db"] for run in runs]
     work = [(run["samples"] > 0).sum() for run in runs]
     assert quality[0] + 3 < quality[1] < quality[2] - 3
@@ -58,14 +66,20 @@ def test_more_safety_is_more_quality_and_more_work(spheres):
 
 
 def test_sparse_flickers_little_more_than_dense(move):
-    """RMS of the temporal second difference of the error, whole objects. Hundreds of filtered samples are the truth: the reference's
-    own noise would hide the difference. Measured: 1.09 over all eight frames, and at most 0.0079 of sparse's own on an object."""
-    dense = [burnish.composite(**job)["overlay"] for job in move]
-    sparse = [burnish.composite(**job, density="sparse")["overlay"] for job in move]
-    truth = [burnish.composite(**job, estimator="filtered_importance", samples=512)["overlay"] for job in move]
+    """RMS of the temporal second difference of the error, object by object, at the default safety. Hundreds of filtered samples are the
+    truth: the reference's own noise would hide the difference. Measured: at most 1.05 times dense over all eight frames."""
+    dense = [dense_of(job)["overlay"] for job in move]
+    sparse = [burnish.composite(**job)["overlay"] for job in move]
+    truth = [dense_of(job, estimator="filtered_importance", samples=512)["overlay"] for job in move]
     indices = [material_index(job) for job in move]
-    objects = [[cycles.interior(index, rule["material_index"]) for index in indices] for rule in move[0]["assign"]]
-    everything = [np.logical_or.reduce(masks) for masks in zip(*objects)]
-    assert cycles.flicker(sparse, truth, everything) < 1.25 * cycles.flicker(dense, truth, everything)
-    for masks in objects:
-        assert cycles.flicker(sparse, dense, masks) < 0.011
+    for rule in move[0]["assign"]:
+        masks = [cycles.interior(index, rule["material_index"]) for index in indices]
+        assert cycles.flicker(sparse, truth, masks) < 1.25 * cycles.flicker(dense, truth, masks), rule["material"]
+
+
+def test_the_default_is_sparse_and_hardly_told_from_dense(spheres):
+    """Measured: 61.7 dB."""
+    dense, default = dense_of(spheres), burnish.composite(**spheres)
+    valid = dense["validity"] == 0
+    assert (default["samples"] > 0).sum() < 0.9 * valid.sum()
+    assert burnish.compare(default["overlay"], dense["overlay"], valid.astype(np.float32))["psnr_db"] > 55

@@ -27,7 +27,7 @@ struct Study {
     std::vector<float> widths{0.01f, 0.03f, 0.1f, 0.3f};
     std::vector<std::string> lights, predictions{"source", "correlated", "curvature"};
     std::string model = "ggx", pictures;
-    DensitySettings density;
+    DensitySettings density{.safety = 1};
     bool display = false;
 };
 

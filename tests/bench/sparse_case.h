@@ -25,7 +25,7 @@ struct SparseCase {
 
 struct SparseSettings {
     EstimatorSettings estimator;
-    DensitySettings density;
+    DensitySettings density{.safety = 1};
     int repeats = 5;
     bool with_regular = false;  // also times dense `regular`, n = 16
 };

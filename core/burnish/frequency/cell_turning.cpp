@@ -72,9 +72,8 @@ void CellTurning::note_valid(const Surfaces& surfaces, const Assignment& assignm
         for (int column = 0; column < m_columns; ++column) {
             const size_t begin = static_cast<size_t>(y) * static_cast<size_t>(assignment.width);
             const int first = column * kLargest, last = std::min(first + kLargest, assignment.width);
-            int count = 0;
-            for (int x = first; x < last; ++x) count += surfaces.validity(begin + static_cast<size_t>(x)) == Validity::valid;
-            m_valid[static_cast<size_t>(strip) * static_cast<size_t>(m_columns) + static_cast<size_t>(column)] |= count > 0;
+            uint8_t& valid = m_valid[static_cast<size_t>(strip) * static_cast<size_t>(m_columns) + static_cast<size_t>(column)];
+            valid |= surfaces.any_valid(begin + static_cast<size_t>(first), static_cast<size_t>(last - first));
         }
 }
 

@@ -129,9 +129,9 @@ void add_density(std::vector<Setting>& table) {
                                "bandwidths of light and lobe, space and angle together, or as published"));
     table.push_back(integer({"directions", "quality", "directions"}, AT(density.directions), {0, 64}, "",
                             "sparse: directions of light per lobe and prediction; 0: as the prediction needs"));
-    table.push_back(
-        number({"safety", "quality", "safety"}, AT(density.safety), {0.05, 100}, "",
-               "sparse: multiplies the predicted bandwidth; 1 keeps within 45 dB of dense, more is closer and slower"));
+    table.push_back(number(
+        {"safety", "quality", "safety"}, AT(density.safety), {0.05, 100}, "",
+        "sparse: multiplies the predicted bandwidth; 1 keeps within 45 dB of dense, 2 within 52; more is closer and slower"));
 }
 
 void add_surface(std::vector<Setting>& table) {

@@ -14,9 +14,9 @@ enum class PredictionKind { curvature, correlated, source };
 struct DensitySettings {
     ShadingDensity density = ShadingDensity::sparse;
     PredictionKind prediction = PredictionKind::curvature;
-    int directions = 0;  // per lobe and prediction (n_b), 0 = by kind
-    float safety =
-        2.0f;  // multiplies the predicted bandwidth: 1 keeps sparse within 45 dB of dense on the validation set, 2 within 55
+    int directions = 0;   // per lobe and prediction (n_b), 0 = by kind
+    float safety = 2.0f;  // multiplies the predicted bandwidth: 1 keeps sparse within 45 dB of dense on the validation set; 2
+                          // within 52, so that it flickers no more than dense
 };
 
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace burnish {
 namespace {
@@ -153,6 +154,18 @@ void Surfaces::fill_parameters(SurfaceBatch& batch) const {
         const Vec3f tint = vec3(*m_layers.tint, pixel);
         batch.tint.push_back(is_finite(tint) ? tint : Vec3f(0, 0, 0));
     }
+}
+
+bool Surfaces::any_valid(size_t first, size_t count) const {
+    static_assert(static_cast<int>(Validity::valid) == 0 && sizeof(Validity) == 1);
+    const Validity* at = &m_validity[first];
+    for (; count >= 8; at += 8, count -= 8) {
+        uint64_t eight;
+        std::memcpy(&eight, at, 8);
+        constexpr uint64_t kOnes = 0x0101010101010101, kHighs = 0x8080808080808080;
+        if ((eight - kOnes) & ~eight & kHighs) return true;  // some byte is 0
+    }
+    return std::find(at, at + count, Validity::valid) != at + count;
 }
 
 void Surfaces::list(const Window& tile, int rule, std::vector<uint32_t>& pixels) const {

@@ -25,6 +25,8 @@ public:
 
     /// Rows of the frame's margins count for nothing, and are valid only where they are to be shaded.
     Validity validity(size_t pixel) const { return m_validity[pixel]; }
+    /// Whether any of `count` pixels from `first` on is valid; eight at a time, as frames are mostly asked where they are empty.
+    bool any_valid(size_t first, size_t count) const;
     bool roughness_is_alpha() const { return m_settings.roughness_is_alpha; }
     const ValidityCounts& counts() const { return m_counts.validity; }
     /// Valid pixels per rule.
