@@ -29,8 +29,8 @@ def shaded(job, repeats=1, **settings):
 
 def compared(job, repeats, **settings):
     """dB, seconds of dense and sparse, share of pixels shaded, both overlays."""
-    dense, dense_seconds = shaded(job, repeats)
-    sparse, sparse_seconds = shaded(job, repeats, density="sparse", **settings)
+    dense, dense_seconds = shaded(job, repeats, density="dense")
+    sparse, sparse_seconds = shaded(job, repeats, density="sparse", **{"safety": 1, **settings})
     valid = dense["validity"] == 0
     db = burnish.compare(sparse["overlay"], dense["overlay"], valid.astype(np.float32))["psnr_db"]
     return db, dense_seconds, sparse_seconds, (sparse["samples"] > 0).sum() / valid.sum(), dense["overlay"], sparse["overlay"]
@@ -66,9 +66,9 @@ def print_flicker(options):
     names = [f"anim_{frame:04d}" for frame in range(1, options.frames + 1)]
     jobs = [cycles.job_of(options.folder, name) | {"camera": options.folder / f"{name}.json"} for name in names]
     jobs = [job | {"estimator": options.estimator} for job in jobs]
-    dense = [burnish.composite(**job)["overlay"] for job in jobs]
+    dense = [burnish.composite(**job, density="dense")["overlay"] for job in jobs]
     sparse = [burnish.composite(**job, density="sparse", safety=options.safety)["overlay"] for job in jobs]
-    exact = {"estimator": options.truth, "samples": options.samples, "max_samples": options.samples, "tolerance": 1e-6}
+    exact = {"density": "dense", "estimator": options.truth, "samples": options.samples, "max_samples": options.samples, "tolerance": 1e-6}
     truth = [burnish.composite(**job | exact)["overlay"] for job in jobs]
     indices = [material_index(job) for job in jobs]
     print("object,dense,sparse,ratio,sparse_against_dense")
@@ -92,7 +92,7 @@ def print_shot(options):
             light["file"] = str(folder / light["file"])
         shot["aovs"] = str(folder / shot["aovs"])
         shot["quality"] = {}
-        reports = [burnish.run(shot, density=density, threads=1) for _ in range(options.repeats)]
+        reports = [burnish.run(shot, density=density, safety=1, threads=1) for _ in range(options.repeats)]
         seconds[density] = min(report["frames"][0]["seconds"]["shading"] for report in reports)
         overlays[density] = scenes.read_exr(output["file"])
     stack = {key: scenes.stacked(layers, *(f"burnish_spec.{c}" for c in "RGB")) for key, layers in overlays.items()}
