@@ -59,11 +59,10 @@ CellTurning::CellTurning(const AovFrame& frame, const Surfaces& surfaces, const 
         for (int begin = 0, end; begin < m_columns; begin = end) {
             for (end = begin; end < m_columns && !is_empty(end, strip);) ++end;
             if (end > begin)
-                fill_smallest(pixels, strip, begin, end);
+                fill_smallest(pixels, strip, begin, end), finish(strip, begin, end);
             else
                 ++end;
         }
-        finish_strip(strip);
     });
 }
 
@@ -80,6 +79,8 @@ void CellTurning::note_valid(const Surfaces& surfaces, const Assignment& assignm
 /// The smallest cells, squared, of columns [begin, end) of largest ones.
 void CellTurning::fill_smallest(const Pixels& pixels, int strip, int begin, int end) {
     const int first = begin * kLargest, width = (end - begin) * kLargest;
+    for (int row = strip * kLargest / 2; row < (strip + 1) * kLargest / 2; ++row)
+        std::fill_n(cells(0, row) + first / 2, width / 2, 0.0f);
     const auto count = static_cast<size_t>(width);
     ReadRow here(count), below(count);
     std::vector<float> down(count + TurningRow::kPadding);
@@ -93,21 +94,22 @@ void CellTurning::fill_smallest(const Pixels& pixels, int strip, int begin, int 
 }
 
 /// Squares to angles, and the larger cells from the smallest.
-void CellTurning::finish_strip(int strip) {
-    const int cells_down = kLargest / cell_size(0);
-    for (int row = strip * cells_down; row < (strip + 1) * cells_down; ++row) {
+void CellTurning::finish(int strip, int begin, int end) {
+    const auto rows_of = [&](int level, const auto& work) {
+        const int size = cell_size(level), per_cell = kLargest / size;
+        for (int row = strip * per_cell; row < (strip + 1) * per_cell; ++row) work(row, begin * per_cell, end * per_cell);
+    };
+    rows_of(0, [&](int row, int first, int last) {
         float* turning = cells(0, row);
-        for (int i = 0; i < columns(0); ++i) turning[i] = std::sqrt(turning[i]);
-    }
-    for (int level = 1; level < kLevels; ++level) {
-        const int down = kLargest / cell_size(level);
-        for (int row = strip * down; row < (strip + 1) * down; ++row) {
+        for (int i = first; i < last; ++i) turning[i] = std::sqrt(turning[i]);
+    });
+    for (int level = 1; level < kLevels; ++level)
+        rows_of(level, [&](int row, int first, int last) {
             const float *above = cells(level - 1, 2 * row), *below = cells(level - 1, 2 * row + 1);
             float* turning = cells(level, row);
-            for (int i = 0; i < columns(level); ++i)
+            for (int i = first; i < last; ++i)
                 turning[i] = std::max(std::max(above[2 * i], above[2 * i + 1]), std::max(below[2 * i], below[2 * i + 1]));
-        }
-    }
+        });
 }
 
 }  // namespace burnish

@@ -8,6 +8,8 @@
 #include <burnish/material/parameters.h>
 #include <burnish/surface/surfaces.h>
 
+#include <burnish/base/pixel_vector.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -25,7 +27,7 @@ public:
     /// Cells per row and column of a level; they cover the frame.
     int columns(int level) const { return m_columns << (kLevels - 1 - level); }
     int rows(int level) const { return m_rows << (kLevels - 1 - level); }
-    /// Radian per pixel, or infinite; 0 in empty cells of the largest size.
+    /// Radian per pixel, or infinite; not to be asked of what is_empty.
     float at(int level, int column, int row) const { return cells(level, row)[column]; }
 
     /// Whether no pixel of a largest cell, its far sides apart, is valid.
@@ -37,15 +39,15 @@ private:
     struct Pixels;
     void note_valid(const Surfaces& surfaces, const Assignment& assignment, int strip);
     void fill_smallest(const Pixels& pixels, int strip, int begin, int end);
-    void finish_strip(int strip);
+    void finish(int strip, int begin, int end);
     float* cells(int level, int row) {
         return &m_levels[static_cast<size_t>(level)][static_cast<size_t>(row) * static_cast<size_t>(columns(level))];
     }
     const float* cells(int level, int row) const { return const_cast<CellTurning*>(this)->cells(level, row); }
 
-    int m_columns = 0, m_rows = 0;  // of the largest cells
-    std::array<std::vector<float>, kLevels> m_levels;
-    std::vector<uint8_t> m_valid;  // of the largest cells: some pixel is
+    int m_columns = 0, m_rows = 0;                     // of the largest cells
+    std::array<PixelVector<float>, kLevels> m_levels;  // unset in empty cells
+    std::vector<uint8_t> m_valid;                      // of the largest cells: some pixel is
 };
 
 }  // namespace burnish

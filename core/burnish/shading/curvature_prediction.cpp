@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-constexpr int kDirections = 2;        // taps a lobe, by measurement
+constexpr int kDirections = 4;        // taps a lobe, by measurement
 constexpr int kViewAngles = 33;       // of the albedo's curve
 constexpr int kAlbedoSamples = 1024;  // a point of the curve
 constexpr float kMean = 0.18f;        // of a picture as a display shows it
