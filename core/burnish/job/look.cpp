@@ -77,7 +77,7 @@ Look prepare_look(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Envir
     const std::vector<Material>&materials = look.wardrobe.materials, &old_materials = look.wardrobe.old_materials;
     look.shaders = for_each_material<MaterialShader>(materials, *look.light, job.estimator);
     look.old_shaders = for_each_material<MaterialShader>(old_materials, *look.light, job.estimator);
-    if (job.density.density == ShadingDensity::sparse) {
+    if (is_sparse(job.density.density, job.estimator.kind)) {
         look.predictors = for_each_material<BandwidthPredictor>(materials, *look.light, job.density);
         look.old_predictors = for_each_material<BandwidthPredictor>(old_materials, *look.light, job.density);
     }

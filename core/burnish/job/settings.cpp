@@ -115,11 +115,11 @@ void add_quality(std::vector<Setting>& table) {
 }
 
 void add_density(std::vector<Setting>& table) {
-    table.push_back(
-        choice<ShadingDensity>({"density", "quality", "density"}, AT(density.density),
-                               {{"dense", ShadingDensity::dense}, {"sparse", ShadingDensity::sparse}},
-                               "which pixels are shaded: dense, all of them; sparse, as many as the predicted bandwidth "
-                               "asks for, the others are interpolated"));
+    table.push_back(choice<ShadingDensity>(
+        {"density", "quality", "density"}, AT(density.density),
+        {{"auto", ShadingDensity::automatic}, {"dense", ShadingDensity::dense}, {"sparse", ShadingDensity::sparse}},
+        "which pixels are shaded: dense, all of them; sparse, as many as the predicted bandwidth "
+        "asks for, the others are interpolated; auto: sparse, dense for reference"));
     table.push_back(
         choice<PredictionKind>({"prediction", "quality", "prediction"}, AT(density.prediction),
                                {{"curvature", PredictionKind::curvature},

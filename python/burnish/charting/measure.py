@@ -93,7 +93,7 @@ def mean_square(values):
 
 def shade(frame, light, material, threads, **settings):
     """The layers of one estimate."""
-    return composite(frame, light, material.lobe(), camera=benchmark.CAMERA, threads=threads, **settings)
+    return composite(frame, light, material.lobe(), camera=benchmark.CAMERA, threads=threads, density="dense", **settings)
 
 
 def truth_of(layers, covered):
