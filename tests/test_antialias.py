@@ -6,10 +6,11 @@ import shutil
 import subprocess
 
 import burnish
+import cycles
 import numpy as np
 import pytest
 import scenes
-from test_real_frames import cycles_materials, rendered
+from test_real_frames import rendered
 
 WIDTH, HEIGHT = 48, 36
 GREY = 0.25
@@ -194,10 +195,8 @@ def rendered_aovs(tmp_path_factory):
 
 def test_edges_come_near_those_that_cycles_anti_aliased(data, rendered_aovs):
     folder = data("cycles/spheres")
-    description = json.loads((folder / "spheres.json").read_text())
-    materials, rules = cycles_materials(description)
-    job = dict(light=folder / "env_courtyard.exr", materials=materials, assign=rules, up="z",
-               env_rotate=description["environment"]["mapping_node"]["rotation_z_deg"], filter="box")
+    job = cycles.job_of(folder, "spheres") | {"filter": "box"}
+    del job["aovs"]
     truth, _ = rendered(folder / "spheres_aa.exr")
     psnr, missing = {}, {}
     for factor in (4, 2, 1):

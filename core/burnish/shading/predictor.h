@@ -25,7 +25,7 @@ struct AngularPrediction {
 };
 
 /// Share of a period 1 / nu_a that interpolation may span, of a display signal from black to white; by calibration.
-inline constexpr float kCellPeriods = 0.17f;
+inline constexpr float kCellPeriods = 0.16f;
 
 class BandwidthPredictor {
 public:

@@ -9,7 +9,11 @@
 namespace burnish {
 namespace {
 
-constexpr int kSparseTile = 8 * ShadingPlan::kBlock;
+/// Tiles are large, as each has few pixels to shade; but not so large that a small frame has only one, for threads and progress.
+int tile_size(const ShadingPlan& plan) {
+    constexpr int kManyBlocks = 2048;
+    return (plan.block_columns() * plan.block_rows() > kManyBlocks ? 8 : 2) * ShadingPlan::kBlock;
+}
 
 /// Adds the tile's valid pixels that are corners of cells.
 void list_corners(const ShadingPlan& plan, const Surfaces& surfaces, const Assignment& assignment, const Window& tile,
@@ -37,7 +41,7 @@ ShadedFrame shade_sparse(const AovFrame& frame, const Surfaces& surfaces, const 
     const ShadingPlan plan(turning, surfaces, assignment, predictors);
     ShadedFrame shaded = shaded_frame(assignment.width, assignment.height, shaders, with_samples);
     const auto list = [&](const Window& tile, PixelLists& pixels) { list_corners(plan, surfaces, assignment, tile, pixels); };
-    shade_tiles(surfaces, shaders, kSparseTile, list, progress, shaded);
+    shade_tiles(surfaces, shaders, tile_size(plan), list, progress, shaded);
     upsample(plan, shaded.overlay);
     return shaded;
 }
