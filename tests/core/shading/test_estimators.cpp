@@ -1,74 +1,9 @@
 // The estimators against what they must equal: albedo in the white furnace, brute-force quadrature, each other.
-#include "core/scenes.h"
-
-#include <burnish/base/parallel.h>
-#include <burnish/material/albedo.h>
-#include <burnish/material/lobe.h>
-#include <burnish/shading/dense.h>
+#include "shading_cases.h"
 
 #include <gtest/gtest.h>
 
-using namespace burnish;
-
-namespace {
-
-LobeParameters lobe(ModelId model, float mx, float my) {
-    LobeParameters p;
-    p.model = model, p.mx = mx, p.my = my;
-    if (model == ModelId::kurt) p.extra = {0.4f};
-    return p;
-}
-
-Material material(const LobeParameters& p) { return {"test", Color3f(0, 0, 0), {p}}; }
-
-EstimatorSettings estimator(EstimatorKind kind, int samples = 19) {
-    EstimatorSettings settings;
-    settings.kind = kind, settings.samples = samples;
-    settings.tolerance = 1e-4f, settings.max_samples = 1 << 16;
-    return settings;
-}
-
-Environment light_of(const Image& image) {
-    EnvironmentSettings settings;
-    settings.face_size = 256;
-    return Environment::from_image(image, settings, "test light");
-}
-
-/// A row of points seen from 0 to 88 degrees: the batch a plane patch would give, n = +Z, wo in the plane of azimuth phi.
-SurfaceBatch fan(float phi, int count = 12) {
-    SurfaceBatch batch;
-    for (int i = 0; i < count; ++i) {
-        const float theta = 88.0f * kPi / 180 * i / (count - 1);
-        batch.pixel.push_back(i);
-        batch.p.push_back({0, 0, 0}), batch.n.push_back({0, 0, 1}), batch.ng.push_back({0, 0, 1}), batch.t.push_back({1, 0, 0});
-        batch.wo.push_back({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
-    }
-    return batch;
-}
-
-ShadedBatch shade(const Material& m, const Environment& light, const EstimatorSettings& settings, const SurfaceBatch& batch) {
-    ShadedBatch out;
-    MaterialShader(m, light, settings).shade(batch, out);
-    return out;
-}
-
-/// Midpoint rule over the hemisphere above n and ng: an oracle that shares nothing with the estimators but the BRDF.
-Color3f brute_force(const LobeParameters& p, const Environment& light, const Vec3f& wo, const Vec3f& ng = {0, 0, 1}) {
-    return visit_lobe(p, [&](const auto& own) {
-        Imath::V3d sum(0, 0, 0);
-        const int steps = 1500;
-        for (int iy = 0; iy < steps; ++iy)
-            for (int ix = 0; ix < steps; ++ix) {
-                const float z = 1 - (iy + 0.5f) / steps, phi = 2 * kPi * (ix + 0.5f) / steps, r = std::sqrt(1 - z * z);
-                const Vec3f wi(r * std::cos(phi), r * std::sin(phi), z * own.side_sign);
-                if (ng.dot(wi) * own.side_sign <= 0) continue;
-                sum += Imath::V3d(own.eval(wo, wi) * light.radiance(wi * light.world_to_light()) * z);
-            }
-        return Color3f(Vec3f(sum * (2 * kPi / (static_cast<double>(steps) * steps))));
-    });
-}
-
-}  // namespace
+using namespace burnish_test;
 
 TEST(WhiteFurnace, ReferenceIsTheDirectionalAlbedo) {
     const Environment light = light_of(scenes::constant_light(1));
@@ -159,50 +94,6 @@ TEST(Regular, ApproachesTheReferenceAsSamplesGrow) {
         EXPECT_LT(error(2000, 1e-4f), 0.5 * error(61, 0));
         EXPECT_LT(error(61, 0), error(7, 0));
     }
-}
-
-TEST(Preconvolved, ApproachesTheReferenceAsSamplesGrow) {
-    // Up to the part of the light that the filter takes and the lobe would have let through.
-    const Environment light = light_of(scenes::stress_light(5, 256));
-    const SurfaceBatch batch = fan(0.4f, 8);
-    EstimatorSettings exact = estimator(EstimatorKind::reference);
-    exact.tolerance = 1e-3f;
-    for (const auto& [p, bias] : {std::pair{lobe(ModelId::beckmann, 0.1f, 0.1f), 0.03},
-                                  {lobe(ModelId::kurt, 0.1f, 0.1f), 0.03},
-                                  {lobe(ModelId::ggx, 0.1f, 0.1f), 0.1},
-                                  {lobe(ModelId::beckmann, 0.2f, 0.075f), 0.05}}) {
-        const ShadedBatch truth = shade(material(p), light, exact, batch);
-        const auto error = [&, &p = p](int samples) {
-            const ShadedBatch out = shade(material(p), light, estimator(EstimatorKind::preconvolved, samples), batch);
-            double sum = 0;
-            for (size_t i = 0; i < batch.size(); ++i)
-                sum += std::abs(out.overlay[i].y - truth.overlay[i].y) / truth.overlay[i].y;
-            return sum / batch.size();
-        };
-        EXPECT_LT(error(1000), bias) << model_info(p.model).name;
-        EXPECT_LT(error(1000), 0.5 * error(32)) << model_info(p.model).name;
-        EXPECT_LT(error(32), 0.6 * error(4)) << model_info(p.model).name;
-    }
-}
-
-TEST(Preconvolved, BlursNoMoreThanTheLobe) {
-    // A small lamp through a smooth lobe: as sharp a highlight as the reference's, where filter and lobe one after the other would
-    // be wider by sqrt(1 + 0.6^2) and lower by the square of it.
-    Image lamp(512, 256, 3);
-    for (int y = 125; y < 131; ++y)
-        for (int x = 253; x < 259; ++x) std::fill_n(lamp.at(x, y), 3, 100.0f);
-    EnvironmentSettings kept;
-    kept.face_size = 256, kept.suns = Suns::keep, kept.convention = EnvironmentConvention::openexr;
-    const Environment light = Environment::from_image(lamp, kept, "lamp");
-    SurfaceBatch batch;
-    batch.pixel = {0};
-    const Vec3f up = Vec3f(0, 0, 1) * light.world_to_light().transposed();
-    for (Vec3Planes* planes : {&batch.n, &batch.ng, &batch.wo}) planes->push_back(up);
-    batch.p.push_back({0, 0, 0}), batch.t.push_back(Vec3f(0, 1, 0) - up * up.y);
-    const Material m = material(lobe(ModelId::beckmann, 0.1f, 0.1f));
-    const float peak = shade(m, light, estimator(EstimatorKind::reference), batch).overlay[0].y;
-    EXPECT_GT(peak, 1);
-    EXPECT_NEAR(shade(m, light, estimator(EstimatorKind::preconvolved, 500), batch).overlay[0].y / peak, 1, 0.05);
 }
 
 TEST(Regular, AllQuadraturesAgreeOnASmoothLight) {
