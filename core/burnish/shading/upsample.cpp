@@ -91,7 +91,7 @@ private:
     void take_corners(int every, int rows) {
         uint32_t columns = 0;
         for (int x = 0; x <= kBlock && m_x0 + x < m_rgb.width; x += every) columns |= 1u << x;
-        for (int y = 0; y <= kBlock && m_y0 + y < m_rgb.height; y += rows > kBlock ? every : rows)
+        for (int y = 0; y <= kBlock && m_y0 + y<m_rgb.height; y += rows> kBlock ? every : rows)
             for (uint32_t bits = m_corners.rows[static_cast<size_t>(y)] & columns; bits != 0; bits &= bits - 1) {
                 const int x = std::countr_zero(bits);
                 std::copy_n(m_rgb.at(m_x0 + x, m_y0 + y), 3, m_value[y][x]);

@@ -24,7 +24,8 @@ public:
         EstimatorSettings settings;
         settings.kind = kind, settings.tolerance = 0.004f;
         const Surfaces surfaces(m_frame, m_assignment, {});
-        return shade_dense(surfaces, m_assignment, {MaterialShader({"ball", Color3f(0, 0, 0), {lobe}}, light, settings)}, {}, true);
+        return shade_dense(surfaces, m_assignment, {MaterialShader({"ball", Color3f(0, 0, 0), {lobe}}, light, settings)}, {},
+                           true);
     }
 
 private:
