@@ -180,7 +180,7 @@ struct MaterialShader::LobeShader {
         const std::vector<int> passes = first_passes(batch, out);
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
-            const uint32_t seed = hash_bits(batch.pixel[i] ^ lobe_index * 0xc2b2ae35u);
+            const uint32_t seed = hash_bits((batch.pixel[i] + batch.band_start) ^ lobe_index * 0xc2b2ae35u);
             const ReferenceEstimate estimate =
                 reference_estimate(prototype.with_widths(point.mx, point.my), light, settings, point, seed, passes[i]);
             const Color3f scale = point.scale * light.gain();

@@ -27,7 +27,8 @@ struct BatchNeeds {
 /// Of size() are pixel, n and wo; p and t too, where they were asked for; ng and the fields from roughness on, where the
 /// frame has such a layer. The others are empty.
 struct SurfaceBatch {
-    std::vector<uint32_t> pixel;    // flat index into the frame, row-major
+    std::vector<uint32_t> pixel;    // flat index into the frame or band, row-major
+    uint32_t band_start = 0;        // added to `pixel`: the same for a pixel whatever band it comes in
     Vec3Planes n, wo, p, t;         // t is perpendicular to n
     Vec3Planes ng;                  // empty: n is the geometric normal, too
     std::vector<float> roughness;   // slope width m (alpha), already squared from the artist's roughness; in (0, 1]

@@ -180,6 +180,7 @@ void Surfaces::gather(const Window& tile, int rule, SurfaceBatch& batch, const B
 }
 
 void Surfaces::fill(SurfaceBatch& batch, const BatchNeeds& needs) const {
+    batch.band_start = static_cast<uint32_t>(m_frame.data_window.y) * static_cast<uint32_t>(m_assignment.width);
     fetch_unit(m_layers.normal->data.data(), batch.pixel, batch.n);
     fetch_views(m_layers.position->data.data(), m_eye, batch.pixel, batch.wo);
     if (needs.position) copy(*m_layers.position, batch.pixel, batch.p);

@@ -128,6 +128,11 @@ TEST_F(Flow, BandsGiveTheBytesOfTheWholeFrame) {
     expect_bands_do_not_show(0);
 }
 
+TEST_F(Flow, BandsOfTheReferenceDrawTheSameSamples) {
+    job.estimator.kind = EstimatorKind::reference, job.estimator.max_samples = 64;
+    expect_bands_do_not_show(0);
+}
+
 TEST_F(Flow, BandsOfTiledFilesToo) { expect_bands_do_not_show(32); }
 
 TEST_F(Flow, BandsKnowTheirNeighboursWhereTangentsComeFromUvs) {
