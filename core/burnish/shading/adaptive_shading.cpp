@@ -6,6 +6,7 @@ namespace {
 /// The pixels of a batch at `places`.
 SurfaceBatch picked(const SurfaceBatch& batch, const std::vector<uint32_t>& places) {
     SurfaceBatch part;
+    part.band_start = batch.band_start;
     const auto pick = [&](const auto& from, auto& to) {
         if (from.empty()) return;
         to.reserve(places.size());
