@@ -44,9 +44,20 @@ struct ShadingPlan::Planner {
             for (int column = first_column; column < std::min(first_column + kTile, plan.m_block_columns); ++column)
                 if (plan.is_empty(column, row))
                     set_size({kTop, column, row}, kBlock);
+                else if (is_broken(column, row))
+                    set_size({kTop, column, row}, 1);
                 else
                     cells.push_back({kTop, column, row});
         for (; !cells.empty(); std::swap(cells, next)) plan_level();
+    }
+
+    /// Whether something crosses every cell of a block that is worth a prediction.
+    bool is_broken(int column, int row) const {
+        constexpr int across = kBlock / CellTurning::cell_size(kSmallestAlone);
+        for (int j = row * across; j < (row + 1) * across; ++j)
+            for (int i = column * across; i < (column + 1) * across; ++i)
+                if (std::isfinite(plan.m_turning.at(kSmallestAlone, i, j))) return false;
+        return true;
     }
 
     /// Settles the cells that one prediction holds for; the others' quarters are next.
@@ -169,10 +180,23 @@ ShadingPlan::ShadingPlan(const CellTurning& turning, const Surfaces& surfaces, c
     });
 }
 
+/// Whether the cells of a block are all of one pixel; (i, j) is its first.
+bool ShadingPlan::is_dense(int i, int j) const {
+    for (int row = j; row < j + kBlock / 2; ++row) {
+        const uint8_t* sizes = &m_sizes[static_cast<size_t>(row) * static_cast<size_t>(m_columns) + static_cast<size_t>(i)];
+        if (std::any_of(sizes, sizes + kBlock / 2, [](uint8_t size) { return size != 1; })) return false;
+    }
+    return true;
+}
+
 ShadingPlan::Corners ShadingPlan::find_corners(int column, int row) const {
     Corners corners{};
     if (is_empty(column, row)) return corners;
     const int i0 = column * kBlock / 2, j0 = row * kBlock / 2;
+    if (is_dense(i0, j0)) {
+        corners.fill(0xffff);
+        return corners;
+    }
     for (int j = 0; j < kBlock / 2; ++j) {
         uint32_t even = 0, odd = 0;  // rows 2 j and 2 j + 1
         for (int i = 0; i < kBlock / 2; ++i) {

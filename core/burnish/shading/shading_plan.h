@@ -50,6 +50,7 @@ public:
 
 private:
     struct Planner;
+    bool is_dense(int i, int j) const;
     Corners find_corners(int column, int row) const;
 
     const CellTurning& m_turning;
