@@ -18,7 +18,6 @@ constexpr int kViewAngles = 33;       // of the albedo's curve
 constexpr int kAlbedoSamples = 1024;  // a point of the curve
 constexpr float kMean = 0.18f;        // of a picture as a display shows it
 constexpr float kDarkest = 0.0015f;   // of which a display shows no more detail than linearly
-constexpr float kNarrow = 1.0f;       // the narrowest part of a lobe with a long tail, in widths of the whole
 constexpr float kSteepest = 0.05f;    // cosine of the view below which a lobe's image gets no narrower
 constexpr float kLowest = 0.01f;      // height of a half vector, before it is made a unit one
 
@@ -157,7 +156,7 @@ void CurvaturePrediction::set_reach(const LobeProbes& probes, const SurfaceBatch
     for (size_t i = 0; i < batch.size(); ++i) {
         const Vec2f widths = lobe_widths(batch, i, probes.lobe);
         const float width = std::sqrt(2.0f) * std::min(widths.x, widths.y);
-        out[i].reach = std::min(out[i].reach, kCurvatureReach * kNarrow * width);
+        out[i].reach = std::min(out[i].reach, kCurvatureReach * width);
         if (widths.x != widths.y) out[i].length = std::max(out[i].length, std::sqrt(2.0f) * std::max(widths.x, widths.y));
     }
 }
