@@ -32,6 +32,8 @@
 #include <burnish/material/model.h>
 
 #include <burnish/light/environment.h>
+#include <burnish/light/light_chain.h>
+#include <burnish/light/light_settings.h>
 
 #include <burnish/frequency/bandwidth_buffer.h>
 #include <burnish/frequency/light_bandwidth.h>

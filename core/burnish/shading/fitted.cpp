@@ -1,6 +1,8 @@
 #include <burnish/shading/fitted.h>
 
 #include <burnish/base/parallel.h>
+#include <burnish/material/lobe.h>
+#include <burnish/sampling/tuned_patterns.h>
 #include <burnish/shading/lobe_fit.h>
 
 #include <algorithm>
@@ -131,9 +133,25 @@ private:
     std::vector<Path> m_paths;
 };
 
+constexpr float kVeryLong = 6;  // mx over my, or the other way round
+
 }  // namespace
 
-TapTable fitted_table(const LobeParameters& lobe, int taps, const GaussianStack& light) {
+bool is_fitted(const LobeParameters& lobe, const EstimatorSettings& settings) {
+    if (!TapTable::covers(lobe, lookup_count(settings))) return false;
+    const auto border = [&](float xi) { return visit_lobe(lobe, [&](const auto& own) { return own.border(xi); }); };
+    const bool very_long = std::max(lobe.mx / lobe.my, lobe.my / lobe.mx) > kVeryLong;
+    return settings.samples > 0 || !very_long || lobe_tail(border) == LobeTail::gaussian;
+}
+
+EstimatorSettings settled(const LobeParameters& lobe, EstimatorSettings settings) {
+    if (settings.kind == EstimatorKind::fitted && !is_fitted(lobe, settings))
+        settings.kind = EstimatorKind::regular, settings.samples = 0;
+    settings.samples = lookup_count(settings);
+    return settings;
+}
+
+TapTable fitted_table(const LobeParameters& lobe, int taps, const std::function<float(float sigma)>& level_of) {
     TapTable table(lobe, taps);
     const TableFit fit(lobe, table);
     const auto& [views, azimuths, widths] = table.axes();
@@ -144,7 +162,7 @@ TapTable fitted_table(const LobeParameters& lobe, int taps, const GaussianStack&
             Vec3f wi = tap_direction(table.node_point(node).wo, tap.sx, tap.sy);
             wi.z *= table.side_sign();
             const float sigma = std::exp(tap.log_sigma);
-            lookups.push_back({wi, light.level(sigma), tap.weight, 1 / (kFade * sigma)});
+            lookups.push_back({wi, level_of(sigma), tap.weight, 1 / (kFade * sigma)});
         }
         table.set(node, lookups);
     });

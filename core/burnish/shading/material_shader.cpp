@@ -6,6 +6,7 @@
 #include <burnish/shading/adaptive_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/fitted.h>
+#include <burnish/shading/local_shading.h>
 #include <burnish/shading/reference.h>
 #include <burnish/shading/split_sum.h>
 #include <burnish/shading/table_shading.h>
@@ -18,10 +19,7 @@ namespace burnish {
 
 struct MaterialShader::LobeShader {
     LobeShader(const LobeParameters& parameters, const Environment& environment, const EstimatorSettings& estimator)
-        : lobe(parameters), settings(estimator), light(environment) {
-        if (settings.kind == EstimatorKind::fitted && !is_fitted())
-            settings.kind = EstimatorKind::regular, settings.samples = 0;
-        settings.samples = lookup_count(settings);
+        : lobe(parameters), settings(settled(parameters, estimator)), light(environment) {
         switch (settings.kind) {
             case EstimatorKind::reference:
                 if (settings.adaptive) prepare_prediction();
@@ -31,17 +29,6 @@ struct MaterialShader::LobeShader {
             default: prepare_rule();
         }
     }
-
-    /// Whether `fitted` shades this lobe, not `regular`. Fits cannot be made for every pixel, as anisotropy from a layer would need;
-    /// and nineteen regular lookups follow a very long lobe with a long tail better than a few Gaussians, so those are fitted only
-    /// where a number of lookups is asked for.
-    bool is_fitted() const {
-        if (!TapTable::covers(lobe, lookup_count(settings))) return false;
-        const auto border = [&](float xi) { return visit_lobe(lobe, [&](const auto& own) { return own.border(xi); }); };
-        const bool very_long = std::max(lobe.mx / lobe.my, lobe.my / lobe.mx) > kVeryLong;
-        return settings.samples > 0 || !very_long || lobe_tail(border) == LobeTail::gaussian;
-    }
-    static constexpr float kVeryLong = 6;  // mx over my, or the other way round
 
     void prepare_fitted() {
         stack = light.gaussian_stack().stack();
@@ -181,8 +168,8 @@ struct MaterialShader::LobeShader {
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
             const uint32_t seed = hash_bits((batch.pixel[i] + batch.band_start) ^ lobe_index * 0xc2b2ae35u);
-            const ReferenceEstimate estimate =
-                reference_estimate(prototype.with_widths(point.mx, point.my), light, settings, point, seed, passes[i]);
+            const ReferenceEstimate estimate = reference_estimate(prototype.with_widths(point.mx, point.my),
+                                                                  DistantArrival{light}, settings, point, seed, passes[i]);
             const Color3f scale = point.scale * light.gain();
             out.overlay[i] += estimate.mean * scale;
             out.standard_error[i] = std::hypot(out.standard_error[i], estimate.standard_error * luminance(scale));
@@ -205,20 +192,45 @@ MaterialShader::MaterialShader(const Material& material, const Environment& ligh
     for (const LobeParameters& lobe : material.lobes) m_lobes.push_back(std::make_shared<LobeShader>(lobe, light, settings));
 }
 
+MaterialShader::MaterialShader(std::shared_ptr<const MaterialTaps> taps, LightChain lights)
+    : m_taps(std::move(taps)), m_lights(std::move(lights)) {}
+
 BatchNeeds MaterialShader::needs() const {
     const auto turns = [](const auto& shader) { return shader->lobe.is_anisotropic(); };
+    if (m_taps) return {.position = true, .tangent = std::ranges::any_of(m_taps->lobes, &LobeParameters::is_anisotropic)};
     return {.position = false, .tangent = std::any_of(m_lobes.begin(), m_lobes.end(), turns)};
 }
 
 bool MaterialShader::estimates_error() const {
+    if (m_taps) return m_taps->settings.kind == EstimatorKind::reference;
     return !m_lobes.empty() && m_lobes[0]->settings.kind == EstimatorKind::reference;
 }
 
 void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
-    const bool reference = estimates_error();
     out.overlay.assign(batch.size(), Color3f(0, 0, 0));
     out.samples.assign(batch.size(), 0.0f);
-    out.standard_error.assign(reference ? batch.size() : 0, 0.0f);
+    out.standard_error.assign(estimates_error() ? batch.size() : 0, 0.0f);
+    if (m_taps)
+        shade_local(batch, out);
+    else
+        shade_distant(batch, out);
+}
+
+void MaterialShader::shade_local(const SurfaceBatch& batch, ShadedBatch& out) const {
+    const LocalSums sums{out.overlay, out.samples, out.standard_error};
+    for (uint32_t index = 0; index < m_taps->lobes.size(); ++index) {
+        const LobeParameters& lobe = m_taps->lobes[index];
+        if (estimates_error()) {
+            add_local_reference(lobe, index, m_taps->settings, m_lights, batch, sums);
+            continue;
+        }
+        add_local_lobe(m_taps->taps[index], m_lights, batch, sums);
+        add_local_discs(lobe, m_lights, batch, sums);
+    }
+}
+
+void MaterialShader::shade_distant(const SurfaceBatch& batch, ShadedBatch& out) const {
+    const bool reference = estimates_error();
     for (uint32_t index = 0; index < m_lobes.size(); ++index) {
         const LobeShader& shader = *m_lobes[index];
         if (!reference) shader.add_filtered(batch, out);

@@ -1,7 +1,10 @@
-// One material under one light, ready to shade: tables and patterns are made once, `shade` then runs from many threads.
+// One material under its light, ready to shade: tables and patterns are made once, `shade` then runs from many threads.
+//
+// Distant light alone has a kernel of its own, table_shading.h; any other chain of lights is asked ray by ray, local_shading.h.
 #pragma once
 
 #include <burnish/light/environment.h>
+#include <burnish/light/light_chain.h>
 #include <burnish/material/parameters.h>
 #include <burnish/sampling/estimator.h>
 #include <burnish/surface/surface_batch.h>
@@ -10,6 +13,8 @@
 #include <vector>
 
 namespace burnish {
+
+struct MaterialTaps;
 
 /// Results of one batch, entry i for batch pixel i.
 struct ShadedBatch {
@@ -24,6 +29,9 @@ public:
     /// longer than 1:6 with a long tail (GGX), unless settings.samples asks for a number of lookups.
     MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings);
 
+    /// Under any lights. `taps`: of the material, see MaterialTaps.
+    MaterialShader(std::shared_ptr<const MaterialTaps> taps, LightChain lights);
+
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
     void shade(const SurfaceBatch& batch, ShadedBatch& out) const;
 
@@ -36,7 +44,12 @@ public:
     struct LobeShader;  // one lobe under one estimator
 
 private:
-    std::vector<std::shared_ptr<const LobeShader>> m_lobes;
+    void shade_distant(const SurfaceBatch& batch, ShadedBatch& out) const;
+    void shade_local(const SurfaceBatch& batch, ShadedBatch& out) const;
+
+    std::vector<std::shared_ptr<const LobeShader>> m_lobes;  // under distant light
+    std::shared_ptr<const MaterialTaps> m_taps;              // under any other
+    LightChain m_lights;
 };
 
 }  // namespace burnish

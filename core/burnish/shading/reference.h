@@ -6,6 +6,7 @@
 #pragma once
 
 #include <burnish/light/environment.h>
+#include <burnish/light/light_ray.h>
 #include <burnish/material/lobe.h>
 #include <burnish/sampling/estimator.h>
 #include <burnish/sampling/sequence.h>
@@ -36,21 +37,32 @@ inline int predicted_passes(float deviation, float tolerance) {
     return static_cast<int>(std::clamp(passes, kFewest, kMost));
 }
 
-/// Point `index` of one sequence: a lobe sample and a light sample.
-template <class LobeType>
-Color3f reference_pair(const LobeType& lobe, const Environment& light, const ShadingPoint& point, uint32_t index,
-                       uint32_t seed) {
-    const auto contribution = [&](const Vec3f& wi, const Vec3f& d, float pdf_lobe, float pdf_light) {
+/// The whole sphere's light at one point, in the axes of the point's frame: radiance and density along a direction, and a draw.
+struct DistantArrival {
+    const Environment& light;
+
+    ExactLight exact(const Vec3f& d) const { return {light.radiance(d), 1.0f, light.pdf(d)}; }
+    LightDraw sample(const Vec2f& u) const {
+        LightDraw draw;
+        draw.d = light.sample(u, draw.pdf);
+        return draw;
+    }
+};
+
+/// Point `index` of one sequence: a lobe sample and a light sample. `light`: as DistantArrival.
+template <class LobeType, class Arrival>
+Color3f reference_pair(const LobeType& lobe, const Arrival& light, const ShadingPoint& point, uint32_t index, uint32_t seed) {
+    const auto contribution = [&](const Vec3f& wi, const Vec3f& d) {
         const float cos_i = wi.z * lobe.side_sign;
-        if (cos_i <= 0 || pdf_lobe + pdf_light <= 0 || !point.sees(wi, lobe.side_sign)) return Color3f(0, 0, 0);
-        return Color3f(lobe.eval(point.wo, wi) * light.radiance(d) * (cos_i / (pdf_lobe + pdf_light)));
+        if (cos_i <= 0 || !point.sees(wi, lobe.side_sign)) return Color3f(0, 0, 0);
+        const ExactLight arriving = light.exact(d);
+        const float pdf = lobe.pdf(point.wo, wi) + arriving.pdf;
+        return pdf > 0 ? Color3f(lobe.eval(point.wo, wi) * arriving.radiance * (cos_i / pdf)) : Color3f(0, 0, 0);
     };
-    const Vec3f wi = lobe.sample(point.wo, owen_sobol(index, seed)), d = point.frame.to_world(wi);
-    float pdf_light = 0;
-    const Vec3f to_light = light.sample(owen_sobol(index, hash_bits(seed, 1)), pdf_light),
-                local = point.frame.to_local(to_light);
-    return contribution(wi, d, lobe.pdf(point.wo, wi), light.pdf(d)) +
-           contribution(local, to_light, lobe.pdf(point.wo, local), pdf_light);
+    const Vec3f wi = lobe.sample(point.wo, owen_sobol(index, seed));
+    const LightDraw draw = light.sample(owen_sobol(index, hash_bits(seed, 1)));
+    const Color3f by_lobe = contribution(wi, point.frame.to_world(wi));
+    return draw.pdf > 0 ? by_lobe + contribution(point.frame.to_local(draw.d), draw.d) : by_lobe;
 }
 
 /// Mean of the replicates' sums over `points` points each, and the standard error of its luminance.
@@ -66,8 +78,8 @@ inline ReferenceEstimate summary(const std::array<Color3f, kReplicates>& sums, i
 
 /// Passes until the standard error is below `tolerance` of the mean, looked at from `first_passes` on, or until `max_samples`
 /// lookups. `seed` from the pixel.
-template <class LobeType>
-ReferenceEstimate reference_estimate(const LobeType& lobe, const Environment& light, const EstimatorSettings& settings,
+template <class LobeType, class Arrival>
+ReferenceEstimate reference_estimate(const LobeType& lobe, const Arrival& light, const EstimatorSettings& settings,
                                      const ShadingPoint& point, uint32_t seed, int first_passes = kMinPasses) {
     std::array<Color3f, kReplicates> sums;
     sums.fill(Color3f(0, 0, 0));

@@ -1,0 +1,12 @@
+// Any light that a shot file can name.
+#pragma once
+
+#include <burnish/light/environment_light.h>
+
+#include <variant>
+
+namespace burnish {
+
+using Light = std::variant<EnvironmentLight>;
+
+}  // namespace burnish

@@ -1,0 +1,32 @@
+// The taps of one lobe without any light: directions, widths and weights, to be made once and shaded under many lights.
+//
+// Under distant light alone a tap's width becomes a level of its map when the table is made (material_shader.h). Where lights are
+// near, how wide a tap is in the map that it reads depends on the pixel, so here Tap::level is the natural logarithm of the
+// Gaussian's width in radian.
+#pragma once
+
+#include <burnish/sampling/estimator.h>
+#include <burnish/shading/tap_rule.h>
+#include <burnish/shading/tap_table.h>
+
+#include <optional>
+#include <vector>
+
+namespace burnish {
+
+class LobeTaps {
+public:
+    /// Not for `reference`. `split_sum` is `fitted` with one tap here, and samples are not adaptive.
+    LobeTaps(const LobeParameters& lobe, const EstimatorSettings& settings);
+
+    const LobeParameters& lobe() const { return m_lobe; }
+    /// Writes the taps at a point, as many as it needs.
+    void at(const ShadingPoint& point, std::vector<Tap>& taps) const;
+
+private:
+    LobeParameters m_lobe;
+    std::optional<TapRule> m_rule;
+    TapTable m_table;  // empty where anisotropy comes from a layer
+};
+
+}  // namespace burnish
