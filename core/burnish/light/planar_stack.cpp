@@ -4,7 +4,6 @@
 #include <burnish/base/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <string>
 
@@ -22,20 +21,39 @@ float content(const PlanarStack::Level& level) {
 
 int margin_of(float sigma, int scale) { return static_cast<int>(std::ceil(kKernelReach * sigma / static_cast<float>(scale))); }
 
-/// Adds `weight` times the bilinear value at (x, y), in texels of `image` with centres at + 0.5, to `sum`; nothing lies outside.
-template <size_t channels>
-void add_bilinear(const Image& image, float x, float y, float weight, std::array<float, channels>& sum) {
-    if (!(x > -0.5f && y > -0.5f && x < static_cast<float>(image.width) + 0.5f && y < static_cast<float>(image.height) + 0.5f))
-        return;
-    const int ix = static_cast<int>(x + 0.5f) - 1, iy = static_cast<int>(y + 0.5f) - 1;
-    const float fx = x - 0.5f - static_cast<float>(ix), fy = y - 0.5f - static_cast<float>(iy);
-    for (int corner = 0; corner < 4; ++corner) {
-        const int column = ix + corner % 2, row = iy + corner / 2;
-        if (column < 0 || row < 0 || column >= image.width || row >= image.height) continue;
-        const float share = weight * (corner % 2 ? fx : 1 - fx) * (corner / 2 ? fy : 1 - fy);
-        const float* texel = image.at(column, row);
-        for (size_t c = 0; c < channels; ++c) sum[c] += share * texel[c];
+/// Where a place lies between four texels: offset of the upper left one, and the weights of all.
+struct Corners {
+    size_t first = 0;
+    float weight[4] = {};
+    bool is_inside = false;
+
+    /// (x, y) in texels of `image`, centres at + 0.5.
+    Corners(const Image& image, float x, float y, float share) {
+        is_inside =
+            x >= 0.5f && y >= 0.5f && x < static_cast<float>(image.width) - 0.5f && y < static_cast<float>(image.height) - 0.5f;
+        if (!is_inside) return;
+        const int ix = static_cast<int>(x - 0.5f), iy = static_cast<int>(y - 0.5f);
+        const float fx = x - 0.5f - static_cast<float>(ix), fy = (y - 0.5f - static_cast<float>(iy)) * share;
+        first = static_cast<size_t>(iy) * static_cast<size_t>(image.width) + static_cast<size_t>(ix);
+        weight[3] = fx * fy, weight[2] = fy - weight[3], weight[1] = fx * share - weight[3];
+        weight[0] = share - fy - weight[1];
     }
+
+    template <int channels>
+    void add(const Image& image, float* sum) const {
+        const float *above = &image.data[first * channels], *below = above + static_cast<size_t>(image.width) * channels;
+        for (int c = 0; c < channels; ++c)
+            sum[c] +=
+                weight[0] * above[c] + weight[1] * above[c + channels] + weight[2] * below[c] + weight[3] * below[c + channels];
+    }
+};
+
+/// The picture within an edge of nothing, so that lookups fade over the last half texel.
+Image with_edge(const Image& picture) {
+    Image image(picture.width + 2, picture.height + 2, 4);
+    for (int y = 0; y < picture.height; ++y)
+        std::copy_n(picture.at(0, y), static_cast<size_t>(picture.width) * 4, image.at(1, y + 1));
+    return image;
 }
 
 /// One axis of the way from a level's texels to the next one's.
@@ -130,7 +148,7 @@ PlanarStack::PlanarStack(const Image& rgba) : m_width(rgba.width), m_height(rgba
         throw Error(ErrorCode::bad_argument, "picture of light: expected RGBA pixels, found " + std::to_string(rgba.width) +
                                                  " x " + std::to_string(rgba.height) + " x " + std::to_string(rgba.channels));
     constexpr float kDoubled = 2.0f, kWidest = 1.0f;  // widths double so far; the last one over the picture's longer side
-    m_levels.push_back({rgba, {}, std::sqrt(kTexelArea + kTent), 1, 0});
+    m_levels.push_back({with_edge(rgba), {}, std::sqrt(kTexelArea + kTent), 1, 1});
     const float widest = kWidest * static_cast<float>(std::max(m_width, m_height));
     for (float sigma = 1; m_levels.back().sigma < widest; sigma *= sigma < kDoubled ? 2.0f : std::numbers::sqrt2_v<float>)
         m_levels.push_back(blurred(m_levels.back(), sigma, m_width, m_height));
@@ -139,12 +157,11 @@ PlanarStack::PlanarStack(const Image& rgba) : m_width(rgba.width), m_height(rgba
 
 PlanarStack::Value PlanarStack::lookup(const Vec2f& place, float width) const {
     const float sigma = width > 0 ? width : 0;
-    std::array<float, 4> rgba{};
-    std::array<float, 1> bend{};
+    float rgba[4] = {}, bend = 0;
     const auto add = [&](const Level& level, float share) {
-        const float scale = static_cast<float>(level.scale), margin = static_cast<float>(level.margin);
-        const float x = place.x / scale + margin, y = place.y / scale + margin;
-        add_bilinear(level.rgba, x, y, share, rgba), add_bilinear(level.bend, x, y, share, bend);
+        const float scale = 1 / static_cast<float>(level.scale), margin = static_cast<float>(level.margin);
+        const Corners corners(level.rgba, place.x * scale + margin, place.y * scale + margin, share);
+        if (corners.is_inside) corners.add<4>(level.rgba, rgba), corners.add<1>(level.bend, &bend);
     };
     const auto wider = std::find_if(m_levels.begin() + 1, m_levels.end() - 1, [&](const Level& l) { return l.sigma >= sigma; });
     const Level &fine = *(wider - 1), &coarse = *wider;
@@ -153,7 +170,7 @@ PlanarStack::Value PlanarStack::lookup(const Vec2f& place, float width) const {
     add(fine, 1 - blend), add(coarse, blend);
     const float beyond =
         sigma > coarse.sigma ? high / (sigma * sigma) : 1.0f;  // the picture's share of a Gaussian wider than it
-    return {Color3f(rgba[0], rgba[1], rgba[2]) * beyond, rgba[3] * beyond, bend[0] * beyond};
+    return {Color3f(rgba[0], rgba[1], rgba[2]) * beyond, rgba[3] * beyond, bend * beyond};
 }
 
 }  // namespace burnish
