@@ -14,6 +14,8 @@
 
 #include <burnish/base/types.h>
 
+#include <cmath>
+
 namespace burnish {
 
 /// World space, scene units.
@@ -30,6 +32,9 @@ struct Incident {
     float bend = 0;             // bound of the second derivative of radiance's luminance along great circles of d, per radian^2
     float nearness = 0;         // 1 / distance from p to what is seen, per scene unit; 0 for distant light
 };
+
+/// How much the nearness of one of several sources counts: what moves past shows by how sharply it bends, or else by its light.
+inline float nearness_weight(float luminance, float bend) { return std::fabs(luminance) + bend; }
 
 /// Along one ray.
 struct ExactLight {
