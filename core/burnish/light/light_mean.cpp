@@ -1,15 +1,8 @@
 #include <burnish/light/light_mean.h>
 
-#include <burnish/light/gaussian_stack.h>
+#include <limits>
 
 namespace burnish {
-namespace {
-
-float mean_of(const EnvironmentLight& light) {
-    return luminance(light.environment().gain()) * mean_luminance(light.environment().gaussian_stack().stack());
-}
-
-}  // namespace
 
 float mean_luminance(const CubeStack& stack) {
     const CubeLevel& widest = stack[stack.level_count() - 1];
@@ -24,13 +17,22 @@ float mean_luminance(const CubeStack& stack) {
 }
 
 float mean_luminance(const Light& light) {
-    return std::visit([](const auto& own) { return mean_of(own); }, light);
+    return std::visit(
+        [](const auto& own) {
+            if constexpr (requires { own.mean_luminance(); })
+                return own.mean_luminance();
+            else
+                return 0.0f;
+        },
+        light);
 }
 
 float mean_luminance(const LightChain& lights) {
-    float sum = 0;
-    for (const LightChain::Link& link : lights.links()) sum += mean_luminance(*link.light);
-    return sum;
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    float darkest = kNone;
+    for (const LightChain::Link& link : lights.links())
+        if (const float own = mean_luminance(*link.light); own > 0) darkest = std::min(darkest, own);
+    return darkest < kNone ? darkest : 0.0f;
 }
 
 }  // namespace burnish

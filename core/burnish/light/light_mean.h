@@ -12,10 +12,11 @@ namespace burnish {
 /// Of the radiance in the stack's widest level.
 float mean_luminance(const CubeStack& stack);
 
-/// Of a light over all directions, bright discs apart.
+/// Of a light, bright discs apart; 0 where it cannot say, as it has no mean without a place.
 float mean_luminance(const Light& light);
 
-/// Of a chain: the sum, as far as lights hide each other too bright, which makes predictions safer.
+/// Of a chain: of the darkest light that has one, as the others may be hidden; darker than it is makes predictions safer.
+/// 0 where none has one.
 float mean_luminance(const LightChain& lights);
 
 }  // namespace burnish

@@ -8,6 +8,7 @@
 //     ExactLight exact(const LightRay& ray) const;                                  unfiltered, for the reference
 //     bool can_sample() const;                                                      whether `sample` finds its bright parts
 //     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
+//     float mean_luminance() const;                                                 may be left out, see light_mean.h
 //
 // all thread-safe, the same bits for a ray whatever batch it comes in. Radiance is linear RGB in the frame's colour space.
 #pragma once
