@@ -4,11 +4,12 @@
 #include <burnish/light/cube_map_light.h>
 #include <burnish/light/environment_light.h>
 #include <burnish/light/mirror_light.h>
+#include <burnish/light/traced_light.h>
 
 #include <variant>
 
 namespace burnish {
 
-using Light = std::variant<EnvironmentLight, CubeMapLight, MirrorLight>;
+using Light = std::variant<EnvironmentLight, CubeMapLight, MirrorLight, TracedLight>;
 
 }  // namespace burnish
