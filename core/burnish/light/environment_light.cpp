@@ -1,6 +1,7 @@
 #include <burnish/light/environment_light.h>
 
 #include <burnish/light/gaussian_stack.h>
+#include <burnish/light/light_mean.h>
 
 namespace burnish {
 
@@ -23,6 +24,10 @@ LightDraw EnvironmentLight::sample(const Vec3f&, const Vec2f& u) const {
     LightDraw draw;
     draw.d = m_environment->sample(u, draw.pdf) * m_environment->world_to_light().transposed();
     return draw;
+}
+
+float EnvironmentLight::mean_luminance() const {
+    return luminance(m_environment->gain()) * burnish::mean_luminance(m_environment->gaussian_stack().stack());
 }
 
 }  // namespace burnish

@@ -14,7 +14,7 @@ bool can_sample(const LightChain::Link& link) {
 void add(const Incident& one, float share, Incident& sum) {
     sum.radiance += one.radiance * share;
     sum.bend += one.bend * share;
-    sum.nearness += one.nearness * luminance(one.radiance) * share;
+    sum.nearness += one.nearness * nearness_weight(luminance(one.radiance), one.bend) * share;
     sum.cover = std::max(sum.cover, 1 - share * (1 - one.cover));
 }
 
@@ -38,6 +38,11 @@ const Environment* LightChain::lone_environment() const {
     return light ? &light->environment() : nullptr;
 }
 
+bool LightChain::is_near() const {
+    const auto is_distant = [](const Link& link) { return std::holds_alternative<EnvironmentLight>(*link.light); };
+    return !std::all_of(m_links.begin(), m_links.end(), is_distant);
+}
+
 void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
     std::fill(out.begin(), out.end(), Incident());
     std::vector<float> left(rays.size(), 1.0f);
@@ -53,7 +58,7 @@ void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out)
             if (link.blocks) left[i] *= 1 - found[k].cover;
         }
     }
-    for (Incident& sum : out) sum.nearness /= std::max(luminance(sum.radiance), 1e-20f);
+    for (Incident& sum : out) sum.nearness /= std::max(nearness_weight(luminance(sum.radiance), sum.bend), 1e-20f);
 }
 
 float LightChain::left_for(size_t link, const LightRay& ray) const {

@@ -42,6 +42,24 @@ void add_up(const CubeStack& stack, float distortion, std::span<const StackTap> 
     }
 }
 
+void look_up_each(const CubeStack& stack, std::span<const StackPlace> places, std::span<std::array<float, 4>> rgba) {
+    const Lanes d;
+    TapQueue queue;
+    for (auto& weight : queue.weight) std::fill_n(weight, 4, 1.0f);
+    HWY_ALIGN float x[8], y[8], z[8], level[8];
+    for (size_t begin = 0; begin < places.size(); begin += TapQueue::kCapacity) {
+        const size_t count = std::min(TapQueue::kCapacity, places.size() - begin);
+        for (size_t first = 0; first < count; first += hn::Lanes(d)) {
+            for (size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+                const StackPlace& place = places[begin + std::min(first + lane, count - 1)];
+                x[lane] = place.d.x, y[lane] = place.d.y, z[lane] = place.d.z, level[lane] = place.level;
+            }
+            queue_taps(stack.layout(), 0, {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)}, hn::Load(d, level), first, queue);
+        }
+        for (size_t i = 0; i < count; ++i) queued_sum(stack.layout(), queue, i, 1, rgba[begin + i].data());
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace burnish
 HWY_AFTER_NAMESPACE();
@@ -50,10 +68,15 @@ HWY_AFTER_NAMESPACE();
 namespace burnish {
 
 HWY_EXPORT(add_up);
+HWY_EXPORT(look_up_each);
 
 void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
                     std::span<Color3f> sums) {
     HWY_DYNAMIC_DISPATCH(add_up)(stack, distortion, taps, per_sum, sums);
+}
+
+void look_up(const CubeStack& stack, std::span<const StackPlace> places, std::span<std::array<float, 4>> rgba) {
+    HWY_DYNAMIC_DISPATCH(look_up_each)(stack, places, rgba);
 }
 
 }  // namespace burnish

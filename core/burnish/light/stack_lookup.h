@@ -1,4 +1,4 @@
-// Filtered lookups in bulk, with the widest vectors the processor has: sums of weighted lookups in a CubeStack.
+// Filtered lookups in bulk, with the widest vectors the processor has: sums of weighted lookups in a CubeStack, or each for itself.
 #pragma once
 
 #include <burnish/light/cube_stack.h>
@@ -20,5 +20,14 @@ inline constexpr size_t kMostTapsPerSum = 256;
 /// j * per_sum on; 1 <= per_sum <= kMostTapsPerSum. Any direction and level is safe. The stack must not be empty.
 void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
                     std::span<Color3f> sums);
+
+/// Where to look: direction of any length, level.
+struct StackPlace {
+    Vec3f d;
+    float level;
+};
+
+/// rgba[i] = stack.lookup_rgba(d, level) of places[i]. Any direction and level is safe. The stack must not be empty.
+void look_up(const CubeStack& stack, std::span<const StackPlace> places, std::span<std::array<float, 4>> rgba);
 
 }  // namespace burnish

@@ -15,6 +15,7 @@ struct Object {
     int object_index = 0, material_index = 0;  // as a renderer's index passes hold them; 0 = nothing
     Color3f albedo{0.5f};                      // diffuse reflectance, linear, [0, 1]
     float roughness = 0.5f;                    // artist's roughness written to the roughness layer, [0, 1]
+    Color3f emission{0.0f};                    // radiance that leaves the front of its triangles, linear
 };
 
 struct Scene {

@@ -110,11 +110,13 @@ std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction) 
     Hit hit;
     hit.distance = query.ray.tfar;
     hit.object = static_cast<int>(query.hit.geomID);
+    hit.triangle = query.hit.primID;
     hit.p = a.p * w + b.p * u + c.p * v;
     hit.ng = (b.p - a.p).cross(c.p - a.p).normalized();
     hit.n = (a.n * w + b.n * u + c.n * v).normalized();
     hit.uv = a.uv * w + b.uv * u + c.uv * v;
-    if (hit.ng.dot(direction) > 0) hit.ng = -hit.ng, hit.n = -hit.n;
+    hit.front = hit.ng.dot(direction) <= 0;
+    if (!hit.front) hit.ng = -hit.ng, hit.n = -hit.n;
     hit.t = Frame::along(hit.n, a.t * w + b.t * u + c.t * v).t;
     return hit;
 }

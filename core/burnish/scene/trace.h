@@ -11,9 +11,11 @@ namespace burnish {
 
 /// A point of a surface as a ray sees it; n, ng and t are unit vectors, n and ng on the side the ray came from.
 struct Hit {
-    float distance = 0;  // in lengths of the ray's direction
-    int object = -1;     // index into Scene::objects
-    Vec3f p, n, ng, t;   // world space; t is perpendicular to n
+    float distance = 0;     // in lengths of the ray's direction
+    int object = -1;        // index into Scene::objects
+    uint32_t triangle = 0;  // index into its mesh
+    bool front = true;      // met on the side that the triangle's corners go round counter-clockwise
+    Vec3f p, n, ng, t;      // world space; t is perpendicular to n
     Vec2f uv;
 };
 

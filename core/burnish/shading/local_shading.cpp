@@ -56,20 +56,14 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
     std::vector<Incident> found(asked.rays.size());
     lights.lookup(asked.rays, found);
     for (size_t i = 0, k = 0; i < batch.size(); ++i) {
-        const float before = luminance(out.overlay[i]);
-        float bend = 0, nearness = 0, total = 0;
         out.samples[i] += static_cast<float>(asked.ends[i] - k);
         for (; k < asked.ends[i]; ++k) {
             const Color3f light = asked.weights[k] * found[k].radiance;
-            const float shown = std::fabs(luminance(light));
             out.overlay[i] += light;
-            bend += std::fabs(luminance(asked.weights[k])) * found[k].bend;
-            nearness += shown * found[k].nearness, total += shown;
+            if (out.bend.empty()) continue;
+            const float bend = std::fabs(luminance(asked.weights[k])) * found[k].bend;
+            out.bend[i] += bend, out.nearness[i] += found[k].nearness * nearness_weight(luminance(light), bend);
         }
-        const float own = luminance(out.overlay[i]) - before, all = std::max(before + own, 1e-20f);
-        if (!out.bend.empty()) out.bend[i] += bend;
-        if (!out.nearness.empty())
-            out.nearness[i] += (nearness / std::max(total, 1e-20f) - out.nearness[i]) * std::clamp(own / all, 0.0f, 1.0f);
     }
 }
 
