@@ -1,6 +1,7 @@
 // From a file or an image to an Environment: layout, orientation, scrubbing, pyramid, sampling table.
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
+#include <burnish/light/clean_picture.h>
 #include <burnish/light/cube_resample.h>
 #include <burnish/light/environment_layouts.h>
 #include <burnish/light/environment_orientation.h>
@@ -26,49 +27,7 @@ void check_settings(const EnvironmentSettings& s, const std::string& name) {
     }
 }
 
-struct Scrubbed {
-    size_t not_a_number = 0, infinite = 0, negative = 0;
-};
-
-/// Makes all values finite and >= 0: NaN and negative values become 0, infinite ones the largest finite value of the
-/// picture (a sun that overflowed half floats is at least that bright). Counts channel values.
-Scrubbed scrub(Image& picture) {
-    float largest = 0.0f;
-    for (const float value : picture.data) {
-        if (std::isfinite(value)) largest = std::max(largest, value);
-    }
-    Scrubbed count;
-    for (float& value : picture.data) {
-        if (value >= 0.0f && value <= largest) continue;
-        if (std::isnan(value))
-            ++count.not_a_number;
-        else if (std::isinf(value) && value > 0.0f)
-            ++count.infinite;
-        else
-            ++count.negative;
-        value = std::isinf(value) && value > 0.0f ? largest : 0.0f;
-    }
-    return count;
-}
-
-void warn(const Scrubbed& count, const std::string& name, std::vector<std::string>& warnings) {
-    const auto add = [&](size_t n, const char* what) {
-        if (n > 0) warnings.push_back(name + ": " + std::to_string(n) + " " + what);
-    };
-    add(count.not_a_number, "NaN values set to 0");
-    add(count.infinite, "infinite values set to the largest finite value of the picture");
-    add(count.negative, "negative values set to 0");
-}
-
 using Conversion = std::function<void(Image&)>;
-
-/// Finite values >= 0 in the colour space of the work; colours outside its gamut lose their negative part.
-void clean(Image& picture, const Conversion& convert, const std::string& name, std::vector<std::string>& warnings) {
-    warn(scrub(picture), name, warnings);
-    if (!convert) return;
-    convert(picture);
-    for (float& value : picture.data) value = std::max(value, 0.0f);
-}
 
 /// First three channels, or the first one three times.
 Image as_rgb(const Image& image, const std::string& name) {
@@ -114,7 +73,7 @@ std::string size_text(int width, int height) { return std::to_string(width) + " 
 Given laid_out(Image picture, EnvmapTag tag, const std::string& name, const Conversion& convert) {
     Given given;
     given.tag = tag;
-    clean(picture, convert, name, given.warnings);
+    clean_picture(picture, convert, name, given.warnings);
     const std::string size = size_text(picture.width, picture.height);
     const EnvironmentLayout layout =
         tag == EnvmapTag::latlong ? EnvironmentLayout::latlong : layout_of(picture.width, picture.height);
@@ -141,7 +100,7 @@ Given six_files(const std::string& pattern, size_t at, size_t length, const Conv
     const std::array<std::string, 6> files = face_files(pattern, at, length);
     for (int face = 0; face < 6; ++face) {
         faces[face] = read_picture(files[face]).rgb;
-        clean(faces[face], convert, files[face], given.warnings);
+        clean_picture(faces[face], convert, files[face], given.warnings);
         const int size = faces[0].width;
         if (faces[face].width == size && faces[face].height == size) continue;
         throw Error(ErrorCode::read_failed, files[face] + ": expected a cube face of " + size_text(size, size) +
