@@ -1,6 +1,7 @@
 // Any light that a shot file can name.
 #pragma once
 
+#include <burnish/light/area_light.h>
 #include <burnish/light/cube_map_light.h>
 #include <burnish/light/environment_light.h>
 #include <burnish/light/mirror_light.h>
@@ -10,6 +11,6 @@
 
 namespace burnish {
 
-using Light = std::variant<EnvironmentLight, CubeMapLight, MirrorLight, TracedLight>;
+using Light = std::variant<EnvironmentLight, CubeMapLight, MirrorLight, AreaLight, TracedLight>;
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include <burnish/shading/local_shading.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/shading/area_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/reference.h>
 
@@ -26,7 +27,7 @@ struct TapRays {
             const Vec3f wi = tap.wi.normalized();
             const Color3f weight = tap.weight * point.scale * visible_share(wi.z * side, point.ng.dot(wi) * side, tap.edge);
             if (weight == Color3f(0, 0, 0)) continue;
-            rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level)});
+            rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level), side});
             weights.push_back(weight);
         }
         ends.push_back(static_cast<uint32_t>(rays.size()));
@@ -65,6 +66,7 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
             out.bend[i] += bend, out.nearness[i] += found[k].nearness * nearness_weight(luminance(light), bend);
         }
     }
+    add_area_residuals(taps.lobe(), lights, batch, {asked.rays, asked.weights, asked.ends}, out.overlay, out.samples);
 }
 
 void add_local_reference(const LobeParameters& parameters, uint32_t index, const EstimatorSettings& settings,
