@@ -101,18 +101,21 @@ private:
 
 }  // namespace
 
-void add_area_residuals(const LobeParameters& parameters, const LightChain& lights, const SurfaceBatch& batch,
-                        const TapRaysView& taps, std::span<Color3f> overlay, std::span<float> samples) {
+void add_area_residuals(const LobeParameters& parameters, const LightChain& lights, const SurfaceBatch& batch, size_t begin,
+                        size_t end, const TapRays& taps, std::span<Color3f> overlay, std::span<float> samples) {
     std::vector<TapKernel> kernels;
     for (size_t link = 0; link < lights.links().size(); ++link) {
         const auto* light = std::get_if<AreaLight>(lights.links()[link].light.get());
         if (!light) continue;
         Residual residual(*light, lights, link);
         visit_lobe(parameters, [&](const auto& prototype) {
-            for (size_t i = 0, begin = 0; i < batch.size(); begin = taps.ends[i++]) {
-                kernels.clear();
-                for (size_t k = begin; k < taps.ends[i]; ++k) kernels.emplace_back(taps.rays[k], taps.weights[k]);
+            for (size_t i = begin, k = 0; i < end; ++i) {
                 const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
+                kernels.clear();
+                for (; k < taps.ends[i - begin]; ++k) {
+                    const float* weight = taps.weights[k].rgba;
+                    kernels.emplace_back(taps.rays[k], Color3f(weight[0], weight[1], weight[2]) * point.scale);
+                }
                 const auto lobe = prototype.with_widths(point.mx, point.my);
                 overlay[i] += residual(lobe, point, batch.p[i], batch.geometric_normal()[i], kernels, samples[i]);
             }

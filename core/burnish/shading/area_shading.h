@@ -10,22 +10,14 @@
 #pragma once
 
 #include <burnish/light/light_chain.h>
-#include <burnish/material/parameters.h>
-#include <burnish/surface/surface_batch.h>
+#include <burnish/shading/tap_rays.h>
 
 #include <span>
 
 namespace burnish {
 
-/// The taps of some pixels as rays, one after the other.
-struct TapRaysView {
-    std::span<const LightRay> rays;
-    std::span<const Color3f> weights;
-    std::span<const uint32_t> ends;  // of each pixel's rays
-};
-
-/// Adds to each pixel's overlay; to `samples`, the nodes that were evaluated.
-void add_area_residuals(const LobeParameters& lobe, const LightChain& lights, const SurfaceBatch& batch,
-                        const TapRaysView& taps, std::span<Color3f> overlay, std::span<float> samples);
+/// Adds to the overlay of pixels [begin, end) of a batch, whose taps are `taps`; to `samples`, the nodes that were evaluated.
+void add_area_residuals(const LobeParameters& lobe, const LightChain& lights, const SurfaceBatch& batch, size_t begin,
+                        size_t end, const TapRays& taps, std::span<Color3f> overlay, std::span<float> samples);
 
 }  // namespace burnish
