@@ -11,6 +11,17 @@
 #include <algorithm>
 
 namespace burnish {
+namespace {
+
+#if RTC_VERSION_MAJOR >= 4
+constexpr RTCSceneFlags kFilterPerRay = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+using QueryContext = RTCRayQueryContext;
+#else
+constexpr RTCSceneFlags kFilterPerRay = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+using QueryContext = RTCIntersectContext;
+#endif
+
+}  // namespace
 
 struct Tracer::Embree {
     RTCDevice device = nullptr;
@@ -20,7 +31,7 @@ struct Tracer::Embree {
         device = rtcNewDevice(nullptr);
         if (!device) throw Error(ErrorCode::bad_argument, "Embree could not start on this processor");
         scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // no leaks through shared edges
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | kFilterPerRay);  // robust: no leaks through shared edges
     }
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
@@ -63,12 +74,31 @@ RTCRay make_ray(const Vec3f& origin, const Vec3f& direction, float distance) {
     return ray;
 }
 
-void intersect(RTCScene scene, RTCRayHit& query) {
+/// What Embree hands to a filter, with the objects that a ray does not see.
+struct Query : QueryContext {
+    std::span<const int> hidden;
+};
+
+/// Refuses hits of hidden objects; rays come one by one.
+void pass_through(const RTCFilterFunctionNArguments* hit) {
+    const auto object = static_cast<int>(RTCHitN_geomID(hit->hit, hit->N, 0));
+    const auto& hidden = static_cast<const Query*>(hit->context)->hidden;
+    if (std::ranges::find(hidden, object) != hidden.end()) hit->valid[0] = 0;
+}
+
+void intersect(RTCScene scene, RTCRayHit& query, std::span<const int> hidden) {
+    Query context;
+    context.hidden = hidden;
 #if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(scene, &query);
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    if (!hidden.empty()) arguments.filter = pass_through, arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    rtcIntersect1(scene, &query, &arguments);
 #else
-    RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    if (!hidden.empty()) context.filter = pass_through;
     rtcIntersect1(scene, &context, &query);
 #endif
 }
@@ -96,11 +126,11 @@ Tracer::Tracer(const Scene& scene) : m_scene(&scene) {
     m_embree = embree;
 }
 
-std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction) const {
+std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden) const {
     RTCRayHit query{};
     query.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    intersect(m_embree->scene, query);
+    intersect(m_embree->scene, query, hidden);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const Mesh& mesh = m_scene->objects[query.hit.geomID].mesh;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace burnish {
 
@@ -27,8 +28,9 @@ public:
 
     const Scene& scene() const { return *m_scene; }
 
-    /// The first surface along origin + s direction, s > 0; the direction need not be unit length. Thread-safe.
-    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction) const;
+    /// The first surface along origin + s direction, s > 0; the direction need not be unit length. The ray goes through the
+    /// objects of these indices. Thread-safe.
+    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden = {}) const;
 
     /// Whether anything lies along origin + s direction for 0 < s < distance. Thread-safe.
     bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity()) const;
