@@ -86,32 +86,39 @@ void pass_through(const RTCFilterFunctionNArguments* hit) {
     if (std::ranges::find(hidden, object) != hidden.end()) hit->valid[0] = 0;
 }
 
-void intersect(RTCScene scene, RTCRayHit& query, std::span<const int> hidden) {
-    Query context;
-    context.hidden = hidden;
 #if RTC_VERSION_MAJOR >= 4
-    rtcInitRayQueryContext(&context);
+template <class Arguments>
+void prepare(Query& query, Arguments& arguments) {
+    rtcInitRayQueryContext(&query);
+    arguments.context = &query;
+    if (!query.hidden.empty()) arguments.filter = pass_through, arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+}
+void intersect(RTCScene scene, RTCRayHit& ray, Query query) {
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
-    arguments.context = &context;
-    if (!hidden.empty()) arguments.filter = pass_through, arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
-    rtcIntersect1(scene, &query, &arguments);
-#else
-    rtcInitIntersectContext(&context);
-    if (!hidden.empty()) context.filter = pass_through;
-    rtcIntersect1(scene, &context, &query);
-#endif
+    prepare(query, arguments);
+    rtcIntersect1(scene, &ray, &arguments);
 }
-
-void test_occlusion(RTCScene scene, RTCRay& ray) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded1(scene, &ray);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene, &context, &ray);
-#endif
+void test_occlusion(RTCScene scene, RTCRay& ray, Query query) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    prepare(query, arguments);
+    rtcOccluded1(scene, &ray, &arguments);
 }
+#else
+void prepare(Query& query) {
+    rtcInitIntersectContext(&query);
+    if (!query.hidden.empty()) query.filter = pass_through;
+}
+void intersect(RTCScene scene, RTCRayHit& ray, Query query) {
+    prepare(query);
+    rtcIntersect1(scene, &query, &ray);
+}
+void test_occlusion(RTCScene scene, RTCRay& ray, Query query) {
+    prepare(query);
+    rtcOccluded1(scene, &query, &ray);
+}
+#endif
 
 }  // namespace
 
@@ -130,7 +137,7 @@ std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, 
     RTCRayHit query{};
     query.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    intersect(m_embree->scene, query, hidden);
+    intersect(m_embree->scene, query, Query{{}, hidden});
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const Mesh& mesh = m_scene->objects[query.hit.geomID].mesh;
@@ -151,9 +158,9 @@ std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, 
     return hit;
 }
 
-bool Tracer::occluded(const Vec3f& origin, const Vec3f& direction, float distance) const {
+bool Tracer::occluded(const Vec3f& origin, const Vec3f& direction, float distance, std::span<const int> hidden) const {
     RTCRay ray = make_ray(origin, direction, distance);
-    test_occlusion(m_embree->scene, ray);
+    test_occlusion(m_embree->scene, ray, Query{{}, hidden});
     return ray.tfar < 0;
 }
 

@@ -32,8 +32,9 @@ public:
     /// objects of these indices. Thread-safe.
     std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden = {}) const;
 
-    /// Whether anything lies along origin + s direction for 0 < s < distance. Thread-safe.
-    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity()) const;
+    /// Whether anything but the hidden objects lies along origin + s direction for 0 < s < distance. Thread-safe.
+    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity(),
+                  std::span<const int> hidden = {}) const;
 
 private:
     struct Embree;
