@@ -2,11 +2,12 @@
 #pragma once
 
 #include <burnish/light/environment_light.h>
+#include <burnish/light/mirror_light.h>
 
 #include <variant>
 
 namespace burnish {
 
-using Light = std::variant<EnvironmentLight>;
+using Light = std::variant<EnvironmentLight, MirrorLight>;
 
 }  // namespace burnish

@@ -1,0 +1,23 @@
+#include <burnish/light/plane.h>
+
+#include <algorithm>
+
+namespace burnish {
+
+bool lies_on(const Plane& plane, const Vec3f& p, const Vec3f& n, float tolerance) {
+    constexpr float kLeastCos = 0.8f;
+    const Vec3f normal = plane.normal.normalized(), from_point = p - plane.point;
+    const float size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), from_point.length()});
+    return std::fabs(from_point.dot(normal)) <= tolerance * size && std::fabs(n.dot(normal)) >= kLeastCos;
+}
+
+Camera mirrored(const Camera& camera, const Plane& plane) {
+    const Vec3f n = plane.normal.normalized();
+    const auto reflected = [&](const Vec3f& v) { return v - n * (2 * n.dot(v)); };
+    Camera image = camera;
+    image.centre = plane.point + reflected(camera.centre - plane.point);
+    image.axis = reflected(camera.axis), image.right = -reflected(camera.right), image.up = reflected(camera.up);
+    return image;
+}
+
+}  // namespace burnish
