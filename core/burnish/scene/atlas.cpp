@@ -73,6 +73,9 @@ Vec3f normal_of(const Mesh& mesh, uint32_t t) {
     return (corner(mesh, t, 1) - corner(mesh, t, 0)).cross(corner(mesh, t, 2) - corner(mesh, t, 0)).normalized();
 }
 
+/// Triangles without are hit by nothing and need no place.
+bool has_area(const Mesh& mesh, uint32_t t) { return normal_of(mesh, t).length2() > 0; }
+
 float diagonal(const Mesh& mesh) {
     Imath::Box3f box;
     for (const Vertex& vertex : mesh.vertices) box.extendBy(vertex.p);
@@ -106,13 +109,13 @@ void find_charts(const Scene& scene, size_t object, std::vector<Chart>& charts) 
     const float near = kNear * diagonal(mesh);
     std::vector<char> taken(mesh.triangles.size(), 0);
     for (uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
-        if (taken[seed]) continue;
+        if (taken[seed] || !has_area(mesh, seed)) continue;
         const Vec3f n = normal_of(mesh, seed), centre = corner(mesh, seed, 0);
         Chart chart{object, {seed}, {}, {}, {}, {}};
         taken[seed] = 1;
         for (size_t i = 0; i < chart.triangles.size(); ++i)
             neighbours.visit(chart.triangles[i], [&](uint32_t t) {
-                const float facing = taken[t] ? 0.0f : normal_of(mesh, t).dot(n);
+                const float facing = taken[t] || !has_area(mesh, t) ? 0.0f : normal_of(mesh, t).dot(n);
                 if (!(facing > kFacing) || (facing < kFlat && (corner(mesh, t, 0) - centre).length() > near)) return;
                 taken[t] = 1;
                 chart.triangles.push_back(t);
@@ -151,11 +154,13 @@ float densest(std::vector<Chart>& charts, int size) {
     return density;
 }
 
+constexpr std::array<uint32_t, 3> kNoTriangle{0, 0, 0};
+
 /// The meshes with the charts' texture coordinates, triangles in their old order.
 void apply(Scene& scene, const std::vector<Chart>& charts, float density, int size) {
     std::vector<std::vector<Vertex>> vertices(scene.objects.size());
     std::vector<std::vector<std::array<uint32_t, 3>>> triangles(scene.objects.size());
-    for (size_t i = 0; i < scene.objects.size(); ++i) triangles[i].resize(scene.objects[i].mesh.triangles.size());
+    for (size_t i = 0; i < scene.objects.size(); ++i) triangles[i].resize(scene.objects[i].mesh.triangles.size(), kNoTriangle);
     for (const Chart& chart : charts) {
         const Mesh& mesh = scene.objects[chart.object].mesh;
         std::unordered_map<uint32_t, uint32_t> copies;
@@ -173,6 +178,7 @@ void apply(Scene& scene, const std::vector<Chart>& charts, float density, int si
             }
     }
     for (size_t i = 0; i < scene.objects.size(); ++i) {
+        std::erase(triangles[i], kNoTriangle);
         scene.objects[i].mesh.vertices = std::move(vertices[i]);
         scene.objects[i].mesh.triangles = std::move(triangles[i]);
     }

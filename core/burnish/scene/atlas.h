@@ -11,7 +11,8 @@ namespace burnish {
 /// Texels on every side of a chart that belong to no other.
 inline constexpr int kAtlasMargin = 2;
 
-/// Replaces all texture coordinates; vertices that several charts use are doubled. `size`: texels along an edge of the square
+/// Replaces all texture coordinates; vertices that several charts use are doubled, triangles
+/// without area left out. `size`: texels along an edge of the square
 /// map. Returns the texels per scene unit. Throws Error(bad_argument) when the charts are too many for the map.
 float lay_out_atlas(Scene& scene, int size);
 

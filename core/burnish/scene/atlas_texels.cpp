@@ -33,6 +33,7 @@ Barycentric nearest(const Triangle& t, const Vec2f& x) {
 
 void cover(const Triangle& t, int object, int size, std::vector<AtlasTexel>& texels) {
     const Vec3f ng = (t.b.p - t.a.p).cross(t.c.p - t.a.p).normalized();
+    if (ng.length2() == 0) return;
     const auto first = [&](float x) { return std::max(static_cast<int>(std::floor(x - 1)), 0); };
     const auto last = [&](float x) { return std::min(static_cast<int>(std::ceil(x + 1)), size - 1); };
     for (int y = first(std::min({t.at_a.y, t.at_b.y, t.at_c.y})); y <= last(std::max({t.at_a.y, t.at_b.y, t.at_c.y})); ++y)

@@ -97,18 +97,18 @@ TEST(LightMap, LampsShineOnTheirFrontOnlyAndWhatIsHiddenCastsNoShadow) {
 
 TEST(LightMap, EveryBounceInAShiningBallAddsAPowerOfItsAlbedo) {
     Scene scene;
-    Mesh inside = make_sphere(2, 48);
+    Mesh inside = make_sphere(2, 128);
     for (auto& triangle : inside.triangles) std::swap(triangle[1], triangle[2]);
     for (Vertex& vertex : inside.vertices) vertex.n = -vertex.n;
     scene.objects.push_back({"ball", "", std::move(inside), 1, 1, Color3f(0.5f), 1, Color3f(3.0f)});
-    lay_out_atlas(scene, 160);
+    lay_out_atlas(scene, 256);
     const Tracer tracer(scene);
-    const Image map = bake_light_map(tracer, {.size = 160, .lamp_samples = 16, .bounce_samples = 4, .bounces = 3}, {});
+    const Image map = bake_light_map(tracer, {.size = 256, .lamp_samples = 16, .bounce_samples = 4, .bounces = 3}, {});
     const float expected = 3 * (1 + 0.5f + 0.25f + 0.125f);
     double sum = 0;
     const int count = for_each_texel(scene, map, 0, [&](const AtlasTexel&, const float* light) { sum += light[1]; });
     EXPECT_GT(count, 5000);
-    EXPECT_NEAR(sum / count, expected, 0.02 * expected);
+    EXPECT_NEAR(sum / count, expected, 0.002 * expected);
 }
 
 TEST(LightMap, ThreadsDoNotChangeABitAndDarkScenesAreRefused) {
