@@ -1,6 +1,7 @@
 // Distant light: an environment map, exact for the reference and as a pyramid for the filtered estimators.
 #pragma once
 
+#include <burnish/base/up_axis.h>
 #include <burnish/light/bright_discs.h>
 #include <burnish/light/cube_pyramid.h>
 
@@ -17,7 +18,6 @@ class GaussianStack;
 /// middle, Y up (USD, Mitsuba). With the other up axis each keeps its look: see environment_orientation.h. For cubes the
 /// convention says whose axes the faces are named after: `blender` a Z-up world's, `openexr` a Y-up world's.
 enum class EnvironmentConvention { automatic, blender, openexr };
-enum class UpAxis { automatic, y, z };
 /// Small, very bright discs of the picture: `automatic` takes them out of the pyramid, see bright_discs.h; `keep` leaves them in.
 enum class Suns { automatic, keep };
 
