@@ -72,6 +72,7 @@ struct LightSettings {
     float scale = 1;  // multiplies radiance
     Color3f tint{1, 1, 1};
     bool blocks = true;  // hides what comes behind it in a list of lights; area lights: false unless they say so
+    std::string space;   // colour space of its pictures; "" = the frame's
 };
 
 }  // namespace burnish
