@@ -51,7 +51,7 @@ public:
     Start(const LitScene& scene, const LightRay& ray) : m_p(ray.p), m_ng(ray.ng), m_on(ray.p), m_up(ray.ng) {
         m_off = kFarFloat * (size_of(ray.p) + scene.extent());
         const float reach = kHalfFloat * size_of(ray.p) + m_off;
-        if (const auto hit = scene.tracer().closest(ray.p + ray.ng * reach, -ray.ng, 0, 2 * reach))
+        if (const auto hit = scene.tracer().closest(ray.p + ray.ng * reach, -ray.ng, {}, 0, 2 * reach))
             m_on = hit->p, m_up = hit->ng;
     }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace burnish {
 
@@ -27,12 +28,14 @@ public:
 
     const Scene& scene() const { return *m_scene; }
 
-    /// The first surface along origin + s direction, near < s < far; the direction need not be unit length. Thread-safe.
-    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, float near = 0,
+    /// The first surface along origin + s direction, near < s < far; the direction need not be unit length. The ray goes through
+    /// the objects of these indices. Thread-safe.
+    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden = {}, float near = 0,
                                float far = std::numeric_limits<float>::infinity()) const;
 
-    /// Whether anything lies along origin + s direction for 0 < s < distance. Thread-safe.
-    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity()) const;
+    /// Whether anything but the hidden objects lies along origin + s direction for 0 < s < distance. Thread-safe.
+    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity(),
+                  std::span<const int> hidden = {}) const;
 
 private:
     struct Embree;
