@@ -170,3 +170,17 @@ def test_bandwidth_is_predicted_under_any_light(cli, tmp_path, room):
 def test_what_cannot_be_is_named(settings, message):
     with pytest.raises(burnish.Error, match=message):
         composite(**settings)
+
+
+def test_a_coupled_diffuse_part_gives_way_to_the_lobes():
+    frame = scenes.sphere()
+    lobe = {"model": "ggx", "m": 0.3, "r0": 0.1}
+    wo = np.asarray(scenes.CAMERA) - frame["position"]
+    cosine = (wo * frame["normal"]).sum(-1) / np.linalg.norm(wo, axis=-1)
+    local = np.stack([np.sqrt(np.maximum(1 - cosine**2, 0)), 0 * cosine, cosine], -1)
+    albedo = burnish.Lobe(lobe).albedo(local.reshape(-1, 3), 4096).reshape(*cosine.shape, 3)
+    aovs = {role: frame[role] for role in ("position", "normal")} | {"irradiance": np.full_like(frame["normal"], 2)}
+    material = {"kd": 0.6, "kd_coupled": True, "lobes": [lobe]}
+    diffuse = burnish.composite(aovs, None, material, lights=LAMPS, camera=scenes.CAMERA)["diffuse"]
+    shown = (frame["object_id"] > 0) & (cosine > 0.05)
+    assert np.allclose(diffuse[shown], (0.6 * (1 - albedo) * 2 / np.pi)[shown], atol=2e-3)

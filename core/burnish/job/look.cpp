@@ -97,7 +97,7 @@ Wardrobe prepare_wardrobe(const Job& job) {
     std::set<std::string> checked;
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
-        wardrobe.kd.push_back(material.kd);
+        wardrobe.kd.emplace_back(material);
         if (checked.insert(rule.material).second) warn_of_energy(rule.material, material, wardrobe.warnings);
         if (job.composite.mode == CompositeMode::difference)
             wardrobe.old_materials.push_back(resolve(job, old_name(job, rule.material)));

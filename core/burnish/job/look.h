@@ -4,6 +4,7 @@
 #include <burnish/input/frame.h>
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
+#include <burnish/material/diffuse_reflectance.h>
 #include <burnish/shading/local_prediction.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/material_shader.h>
@@ -23,7 +24,7 @@ struct Wardrobe {
     std::vector<AssignRule> rules;  // the whole-frame material first, so that every other rule wins over it
     std::vector<Material> materials;
     std::vector<Material> old_materials;  // mode difference only
-    std::vector<Color3f> kd;
+    std::vector<DiffuseReflectance> kd;
     std::vector<std::string> warnings;  // materials that create energy
 };
 
