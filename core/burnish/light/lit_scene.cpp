@@ -34,7 +34,7 @@ Scene read_scene(const TracedSettings& settings, const Conversion& convert) {
 
 Image read_map(const std::string& file, const Conversion& convert) {
     if (file.empty()) return {};
-    Image map = read_picture(file).rgb;
+    Image map = read_picture(file).pixels;
     clean(map);
     if (convert) convert(map), clean(map);
     return map;
