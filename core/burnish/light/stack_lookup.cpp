@@ -42,19 +42,22 @@ void add_up(const CubeStack& stack, float distortion, std::span<const StackTap> 
     }
 }
 
-void look_up_each(const CubeStack& stack, std::span<const StackPlace> places, std::span<std::array<float, 4>> rgba) {
+void look_up_each(const CubeStack& stack, std::span<const StackPlace> places, const std::array<float, 4>& gain,
+                  std::span<std::array<float, 4>> rgba) {
+    static_assert(sizeof(StackPlace) == 4 * sizeof(float));
     const Lanes d;
     TapQueue queue;
-    for (auto& weight : queue.weight) std::fill_n(weight, 4, 1.0f);
-    HWY_ALIGN float x[8], y[8], z[8], level[8];
+    for (auto& weight : queue.weight) std::copy(gain.begin(), gain.end(), weight);
     for (size_t begin = 0; begin < places.size(); begin += TapQueue::kCapacity) {
         const size_t count = std::min(TapQueue::kCapacity, places.size() - begin);
-        for (size_t first = 0; first < count; first += hn::Lanes(d)) {
-            for (size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-                const StackPlace& place = places[begin + std::min(first + lane, count - 1)];
-                x[lane] = place.d.x, y[lane] = place.d.y, z[lane] = place.d.z, level[lane] = place.level;
-            }
-            queue_taps(stack.layout(), 0, {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)}, hn::Load(d, level), first, queue);
+        for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+            HWY_ALIGN StackPlace last[8] = {};
+            const bool is_whole = begin + i + hn::Lanes(d) <= places.size();
+            if (!is_whole) std::copy(places.begin() + static_cast<std::ptrdiff_t>(begin + i), places.end(), last);
+            V3 w;
+            VF level;
+            hn::LoadInterleaved4(d, is_whole ? &places[begin + i].d.x : &last[0].d.x, w.x, w.y, w.z, level);
+            queue_taps(stack.layout(), 0, w, level, i, queue);
         }
         for (size_t i = 0; i < count; ++i) queued_sum(stack.layout(), queue, i, 1, rgba[begin + i].data());
     }
@@ -70,13 +73,14 @@ namespace burnish {
 HWY_EXPORT(add_up);
 HWY_EXPORT(look_up_each);
 
+void look_up(const CubeStack& stack, std::span<const StackPlace> places, const std::array<float, 4>& gain,
+             std::span<std::array<float, 4>> rgba) {
+    HWY_DYNAMIC_DISPATCH(look_up_each)(stack, places, gain, rgba);
+}
+
 void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
                     std::span<Color3f> sums) {
     HWY_DYNAMIC_DISPATCH(add_up)(stack, distortion, taps, per_sum, sums);
-}
-
-void look_up(const CubeStack& stack, std::span<const StackPlace> places, std::span<std::array<float, 4>> rgba) {
-    HWY_DYNAMIC_DISPATCH(look_up_each)(stack, places, rgba);
 }
 
 }  // namespace burnish

@@ -1,8 +1,9 @@
-// Filtered lookups in bulk, with the widest vectors the processor has: sums of weighted lookups in a CubeStack, or each for itself.
+// Filtered lookups in bulk, with the widest vectors the processor has: sums of weighted lookups in a CubeStack, or each by itself.
 #pragma once
 
 #include <burnish/light/cube_stack.h>
 
+#include <array>
 #include <span>
 
 namespace burnish {
@@ -21,13 +22,14 @@ inline constexpr size_t kMostTapsPerSum = 256;
 void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
                     std::span<Color3f> sums);
 
-/// Where to look: direction of any length, level.
+/// A lookup without a weight.
 struct StackPlace {
     Vec3f d;
     float level;
 };
 
-/// rgba[i] = stack.lookup_rgba(d, level) of places[i]. Any direction and level is safe. The stack must not be empty.
-void look_up(const CubeStack& stack, std::span<const StackPlace> places, std::span<std::array<float, 4>> rgba);
+/// rgba[i] = stack.lookup_rgba(d, level) of places[i], within rounding, times `gain` channel by channel. As safe.
+void look_up(const CubeStack& stack, std::span<const StackPlace> places, const std::array<float, 4>& gain,
+             std::span<std::array<float, 4>> rgba);
 
 }  // namespace burnish

@@ -44,8 +44,8 @@ void CurvaturePrediction::add_light(const LobeProbes& probes, const SurfaceBatch
     const GaussianStack& stack = m_light.gaussian_stack();
     if (probes.table.tap_count() > 0) {
         std::vector<float> lookups(batch.size());
-        return add_table_shading({probes.lobe, probes.table, stack.stack(), 0, m_light.world_to_light(), m_light.gain()}, batch,
-                                 {overlay, lookups, bend, {}});
+        return add_table_shading({{probes.lobe, probes.table, m_light.world_to_light()}, stack.stack(), 0, m_light.gain()},
+                                 batch, {overlay, lookups, bend, {}});
     }
     const float side = probes.lobe.side == Side::transmission ? -1.0f : 1.0f;
     for (size_t i = 0; i < batch.size(); ++i) {
