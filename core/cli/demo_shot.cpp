@@ -22,13 +22,11 @@ using nlohmann::ordered_json;
 
 constexpr int kSkyWidth = 2048, kSkySamples = 2, kLightSamples = 512, kBounceSamples = 8, kAntialias = 2, kMatteRanks = 4;
 
-ordered_json triple(const Vec3f& v) { return {to_json_number(v.x), to_json_number(v.y), to_json_number(v.z)}; }
-
 ordered_json camera_json() {
     const Viewpoint view = demo_viewpoint();
-    return {{"position", triple(view.position)},
-            {"look_at", triple(view.look_at)},
-            {"up", triple(view.up)},
+    return {{"position", to_json_vector(view.position)},
+            {"look_at", to_json_vector(view.look_at)},
+            {"up", to_json_vector(view.up)},
             {"fov_x_deg", to_json_number(view.fov_x_deg)}};
 }
 

@@ -1,6 +1,7 @@
 // Any light that a shot file can name.
 #pragma once
 
+#include <burnish/light/cube_map_light.h>
 #include <burnish/light/environment_light.h>
 #include <burnish/light/mirror_light.h>
 
@@ -8,6 +9,6 @@
 
 namespace burnish {
 
-using Light = std::variant<EnvironmentLight, MirrorLight>;
+using Light = std::variant<EnvironmentLight, CubeMapLight, MirrorLight>;
 
 }  // namespace burnish

@@ -29,10 +29,15 @@ struct ProxySettings {
     std::string mesh;
 };
 
+/// What the distances of a cube map measure: `planar`, along the axis of their face; `ray`, from the centre; `automatic`:
+/// see distance_map.h.
+enum class DistanceKind { automatic, planar, ray };
+
 /// The room as seen from one point.
 struct CubeMapSettings {
-    std::string file;             // as Environment::load takes it
-    std::string depth;            // picture or six pictures with the distances; "" = the channels Z or Depth.Z of `file`
+    std::string file;   // as Environment::load takes it
+    std::string depth;  // picture or six pictures with the distances; "" = the channels Z or Depth.Z of `file`
+    DistanceKind distances = DistanceKind::automatic;
     Vec3f centre{0, 0, 0};        // where it was taken
     EnvironmentSettings picture;  // how it lies over directions
     ProxySettings proxy;
@@ -72,6 +77,7 @@ struct LightSettings {
     float scale = 1;  // multiplies radiance
     Color3f tint{1, 1, 1};
     bool blocks = true;  // hides what comes behind it in a list of lights; area lights: false unless they say so
+    std::string space;   // colour space of its pictures; "" = the frame's
 };
 
 }  // namespace burnish

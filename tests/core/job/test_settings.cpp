@@ -37,6 +37,7 @@ json other_value(const Setting& setting) {
         case SettingKind::vector: return {1.0, 0.0, 0.5};
         case SettingKind::pairs: return {{setting.name == "channel" ? "normal" : "gold", "other"}};
         case SettingKind::rules: return json::array({{{"material", "gold"}, {"index", 3}}});
+        case SettingKind::lights: return {{"wall", {{"type", "traced"}, {"scene", "room.glb"}}}};
         case SettingKind::materials: return {{"mine", {{"model", "ggx"}, {"m", 0.2}}}};
     }
     return {};
