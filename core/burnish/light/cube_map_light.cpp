@@ -52,7 +52,7 @@ void look_up_ends(const Environment& map, std::span<const LightRay> rays, std::s
     for (size_t k = 0; k < ends.size(); ++k)
         places[k] = {ends[k].from_centre * map.world_to_light(), stack.level(rays[ends[k].ray].sigma * turns[k].width)};
     rgba.resize(ends.size());
-    look_up(stack.stack(), places, rgba);
+    look_up(stack.stack(), places, {1, 1, 1, 1}, rgba);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <burnish/light/environment_picture.h>
 
 #include <burnish/base/error.h>
+#include <burnish/light/clean_picture.h>
 #include <burnish/light/environment_layouts.h>
 #include <burnish/light/environment_orientation.h>
 
@@ -10,49 +11,7 @@
 namespace burnish {
 namespace {
 
-struct Scrubbed {
-    size_t not_a_number = 0, infinite = 0, negative = 0;
-};
-
-/// Makes all values finite and >= 0: NaN and negative values become 0, infinite ones the largest finite value of the
-/// picture (a sun that overflowed half floats is at least that bright). Counts channel values.
-Scrubbed scrub(Image& picture) {
-    float largest = 0.0f;
-    for (const float value : picture.data) {
-        if (std::isfinite(value)) largest = std::max(largest, value);
-    }
-    Scrubbed count;
-    for (float& value : picture.data) {
-        if (value >= 0.0f && value <= largest) continue;
-        if (std::isnan(value))
-            ++count.not_a_number;
-        else if (std::isinf(value) && value > 0.0f)
-            ++count.infinite;
-        else
-            ++count.negative;
-        value = std::isinf(value) && value > 0.0f ? largest : 0.0f;
-    }
-    return count;
-}
-
-void warn(const Scrubbed& count, const std::string& name, std::vector<std::string>& warnings) {
-    const auto add = [&](size_t n, const char* what) {
-        if (n > 0) warnings.push_back(name + ": " + std::to_string(n) + " " + what);
-    };
-    add(count.not_a_number, "NaN values set to 0");
-    add(count.infinite, "infinite values set to the largest finite value of the picture");
-    add(count.negative, "negative values set to 0");
-}
-
 using Conversion = std::function<void(Image&)>;
-
-/// Finite values >= 0 in the colour space of the work; colours outside its gamut lose their negative part.
-void clean(Image& picture, const Conversion& convert, const std::string& name, std::vector<std::string>& warnings) {
-    warn(scrub(picture), name, warnings);
-    if (!convert) return;
-    convert(picture);
-    for (float& value : picture.data) value = std::max(value, 0.0f);
-}
 
 /// First three channels, or the first one three times.
 Image as_rgb(const Image& image, const std::string& name) {
@@ -84,12 +43,12 @@ std::array<std::string, 6> face_files(const std::string& pattern, size_t at, siz
 }
 
 /// One layer of a file in the values that EnvironmentPicture promises.
-Picture clean_picture(const std::string& file, PictureLayer layer, const Conversion& convert,
-                      std::vector<std::string>& warnings) {
+Picture clean_layer(const std::string& file, PictureLayer layer, const Conversion& convert,
+                    std::vector<std::string>& warnings) {
     Picture picture = read_picture(file, layer);
-    if (layer == PictureLayer::color) clean(picture.pixels, convert, file, warnings);
+    if (layer == PictureLayer::color) clean_picture(picture.pixels, convert, file, warnings);
     if (layer != PictureLayer::alpha) return picture;
-    clean(picture.pixels, {}, file, warnings);
+    clean_picture(picture.pixels, {}, file, warnings);
     for (float& value : picture.pixels.data) value = std::min(value, 1.0f);
     picture.pixels = as_rgb(picture.pixels, file);
     return picture;
@@ -130,7 +89,7 @@ EnvironmentPicture read_six(const std::array<std::string, 6>& files, PictureLaye
     EnvironmentPicture given;
     std::array<Image, 6> faces;
     for (int face = 0; face < 6; ++face) {
-        faces[face] = clean_picture(files[face], layer, convert, given.warnings).pixels;
+        faces[face] = clean_layer(files[face], layer, convert, given.warnings).pixels;
         const int size = faces[0].width;
         if (faces[face].width == size && faces[face].height == size) continue;
         throw Error(ErrorCode::read_failed, files[face] + ": expected a cube face of " + size_text(size, size) +
@@ -156,7 +115,7 @@ std::string size_text(int width, int height) { return std::to_string(width) + " 
 EnvironmentPicture read_environment_picture(const std::string& file, PictureLayer layer, const Conversion& convert) {
     if (const auto files = six_files(file)) return read_six(*files, layer, convert);
     EnvironmentPicture given;
-    Picture picture = clean_picture(file, layer, convert, given.warnings);
+    Picture picture = clean_layer(file, layer, convert, given.warnings);
     return laid_out(std::move(picture), file, std::move(given));
 }
 
@@ -168,7 +127,7 @@ bool environment_has_layer(const std::string& file, PictureLayer layer) {
 EnvironmentPicture environment_picture(const Image& image, const std::string& name) {
     EnvironmentPicture given;
     Image rgb = as_rgb(image, name);
-    clean(rgb, {}, name, given.warnings);
+    clean_picture(rgb, {}, name, given.warnings);
     return laid_out({std::move(rgb), EnvmapTag::none}, name, std::move(given));
 }
 

@@ -25,6 +25,7 @@ struct LightRay {
     Vec3f ng;         // unit geometric normal there, on the viewer's side; rays that pass through the surface have d . ng < 0
     Vec3f d;          // unit
     float sigma = 0;  // radian: the light is averaged with a spherical Gaussian exp((cos - 1) / sigma^2) about d
+    float side = 1;   // 1: light that comes from where ng points is asked for; -1: from the other side, through the surface
 };
 
 struct Incident {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr float kFar = 5.5f;          // deviations from where a Gaussian has nothing left, to a float
 constexpr float kEdgeOn = 1e-5f;      // height over size, from where a polygon is seen as a line
-constexpr float kChord = 2.2f;        // deviations
+constexpr float kReach = 4.5f;        // deviations up to where edges are followed
+constexpr float kStep = 0.6f;         // longest straight line on the map, radian
 constexpr float kNarrowest = 1e-6f;   // radian
 constexpr float kSteepest = 0.2420f;  // largest second derivative of the Gaussian integral, 1 / sqrt(2 pi e)
 
@@ -76,7 +77,7 @@ public:
     }
     /// Cosine of the angle to d so many deviations away.
     float cosine_at(float deviations) const {
-        const float chord = std::min(deviations / m_per_radian, std::numbers::sqrt2_v<float>);
+        const float chord = std::min(deviations / m_per_radian, 2.0f);
         return 1 - 0.5f * chord * chord;
     }
 
@@ -85,50 +86,76 @@ private:
     float m_per_radian;
 };
 
-/// An edge on the map: straight lines from its point nearest to d to both sides. As great circles bend there, a line has the
-/// direction of the chord up to where most of the Gaussian is.
-struct MappedEdge {
-    float lost = 0;    // of the Gaussian
-    Vec2f nearest{0};  // deviations
-
-    MappedEdge(const LambertMap& map, const Vec3f& d, const Vec3f& from, const Vec3f& to, const Vec3f& inward) {
-        const Vec3f along = inward.cross(d);
-        const float sine = inward.dot(d), cosine2 = std::max(1 - sine * sine, 1e-12f);
-        const Vec3f foot = (d - inward * sine) / cosine2;  // along and foot span the great circle, d . foot = 1
-        const float behind = along.dot(from), ahead = along.dot(to);
-        const bool passes = behind < 0 && ahead > 0;
-        nearest = map(passes ? foot / foot.length() : behind >= 0 ? from : to);
-        if (nearest.length2() > kFar * kFar) return;
-        const float turn = map.cosine_at(std::max(kChord, nearest.length() + 0.5f));
-        const auto line_to = [&](const Vec3f& corner, float side) {
-            const Vec2f end = map(corner) - nearest;
-            if (corner.dot(d) >= turn) return nearest + end;
-            const float aside = std::copysign(std::sqrt(std::max(cosine2 - turn * turn, 0.0f)) / cosine2, side);
-            const Vec2f chord = map(foot * turn + along * aside) - nearest;
-            return nearest + chord * (end.length() / std::max(chord.length(), 1e-6f));
-        };
-        if (behind < 0) lost += taken_away(line_to(from, behind), nearest);
-        if (ahead > 0) lost += taken_away(nearest, line_to(to, ahead));
+/// An edge on the map, as far as the Gaussian about d reaches: straight lines between points of the great circle, places on which
+/// are angles from its point nearest to d.
+class MappedEdge {
+public:
+    MappedEdge(const LambertMap& map, const Vec3f& d, const Vec3f& inward) : m_map(map) {
+        const float sine = inward.dot(d), cosine = std::sqrt(std::max(1 - sine * sine, 1e-12f));
+        m_foot = (d - inward * sine) / cosine, m_along = inward.cross(d) / cosine;
+        m_reach = std::acos(std::min(map.cosine_at(kReach) / cosine, 1.0f));
     }
+
+    void follow(const Vec3f& from, const Vec3f& to) {
+        const float begin = place(from), end = place(to);
+        nearest = m_map(at(begin <= 0 && end >= 0 ? 0 : std::fabs(begin) < std::fabs(end) ? begin : end));
+        if (begin > end)  // round the far side
+            add(begin, kPi), add(-kPi, end);
+        else
+            add(begin, std::min(end, 0.0f)), add(std::max(begin, 0.0f), end);
+    }
+
+    float lost = 0;    // of the Gaussian
+    Vec2f nearest{0};  // point of the edge, deviations
+
+private:
+    float place(const Vec3f& corner) const { return std::atan2(corner.dot(m_along), corner.dot(m_foot)); }
+    Vec3f at(float angle) const { return m_foot * std::cos(angle) + m_along * std::sin(angle); }
+    void add(float from, float to) {
+        const float begin = std::max(from, -m_reach), end = std::min(to, m_reach);
+        if (!(begin < end)) return;
+        const int steps = static_cast<int>(std::ceil((end - begin) / kStep));
+        Vec2f here = m_map(at(begin));
+        for (int i = 1; i <= steps; ++i) {
+            const Vec2f next = m_map(at(begin + (end - begin) * static_cast<float>(i) / static_cast<float>(steps)));
+            lost += taken_away(here, next);
+            here = next;
+        }
+    }
+
+    const LambertMap& m_map;
+    Vec3f m_foot, m_along;
+    float m_reach;
 };
 
 }  // namespace
 
-void SeenPolygon::look(const ConvexPolygon& polygon, const Vec3f& from, bool both_sides) {
-    m_edges.clear(), m_solid_angle = 0;
+void SeenPolygon::look(const ConvexPolygon& polygon, const Vec3f& from, const Vec3f& up, bool both_sides) {
+    m_edges.clear(), m_corners.clear(), m_solid_angle = 0;
     const float height = polygon.height(from);
     if (!(std::fabs(height) > kEdgeOn * polygon.size) || (height < 0 && !both_sides)) return;
-    const size_t count = polygon.corners.size();
-    std::vector<Edge>& edges = m_edges;
-    edges.resize(count);
-    for (size_t i = 0; i < count; ++i)  // clockwise seen from the light's back is counter-clockwise for who looks at its front
-        edges[i].begin = (polygon.corners[height > 0 ? count - 1 - i : i] - from).normalized();
+    cut_off(polygon, from, up);
+    const size_t count = m_corners.size();
+    if (count < 3) return;
+    if (height > 0) std::reverse(m_corners.begin(), m_corners.end());  // who looks at its front sees it turn the other way
+    for (Vec3f& corner : m_corners) corner.normalize();
     for (size_t i = 0; i < count; ++i) {
-        edges[i].end = edges[(i + 1) % count].begin;
-        edges[i].inward = edges[i].begin.cross(edges[i].end - edges[i].begin).normalized();
+        const Vec3f &begin = m_corners[i], &end = m_corners[(i + 1) % count], across = begin.cross(end - begin);
+        if (across.length2() > 0) m_edges.push_back({begin, end, across.normalized()});
     }
     for (size_t i = 1; i + 1 < count; ++i)
-        m_solid_angle += static_cast<float>(SphericalTriangle(edges[0].begin, edges[i].begin, edges[i].end).solid_angle());
+        m_solid_angle += static_cast<float>(SphericalTriangle(m_corners[0], m_corners[i], m_corners[i + 1]).solid_angle());
+}
+
+/// Sutherland & Hodgman 1974.
+void SeenPolygon::cut_off(const ConvexPolygon& polygon, const Vec3f& from, const Vec3f& up) {
+    const size_t count = polygon.corners.size();
+    for (size_t i = 0; i < count; ++i) {
+        const Vec3f here = polygon.corners[i] - from, next = polygon.corners[(i + 1) % count] - from;
+        const float above = here.dot(up), next_above = next.dot(up);
+        if (above > 0) m_corners.push_back(here);
+        if ((above > 0) != (next_above > 0)) m_corners.push_back(here + (next - here) * (above / (above - next_above)));
+    }
 }
 
 GaussianPart SeenPolygon::gaussian(const Vec3f& d, float width) const {
@@ -139,7 +166,8 @@ GaussianPart SeenPolygon::gaussian(const Vec3f& d, float width) const {
     bool inside = true;
     float lost = 0, bend = 0, nearest = INFINITY;
     for (const Edge& edge : m_edges) {
-        const MappedEdge mapped(map, d, edge.begin, edge.end, edge.inward);
+        MappedEdge mapped(map, d, edge.inward);
+        mapped.follow(edge.begin, edge.end);
         const float distance = mapped.nearest.length();
         lost += mapped.lost, bend += steepest_about(distance);
         inside = inside && edge.inward.dot(d) >= 0;
@@ -147,7 +175,11 @@ GaussianPart SeenPolygon::gaussian(const Vec3f& d, float width) const {
     }
     if (inside) part.nearest = d;
     part.share = std::clamp((inside ? 1.0f : 0.0f) - lost, 0.0f, 1.0f);
-    part.bend = narrow * std::min(bend, m_solid_angle * narrow / (2 * kPi));
+    if (!inside && nearest > kFar + kCurvatureReach) return {};
+    const float most = m_solid_angle * narrow / (2 * kPi);  // of the peak's height all over
+    part.bend = narrow * std::min(bend, most);
+    part.reach =
+        inside ? std::min(1.0f, most) : std::min(beyond(std::max(nearest - kCurvatureReach, 0.0f)) * 2, std::min(1.0f, most));
     return part;
 }
 

@@ -20,13 +20,15 @@ struct GaussianPart {
     float share = 0;         // of the Gaussian inside, [0, 1]
     float bend = 0;          // bound of the second derivative of `share` along great circles, per radian^2, within
                              // kCurvatureReach widths of d
+    float reach = 0;         // bound of `share` itself, there, too
     Vec3f nearest{0, 0, 1};  // the direction inside that is nearest to d: d itself if it is inside
 };
 
 class SeenPolygon {
 public:
-    /// From a point above its plane, or, if `both_sides`, below. From in the plane there is nothing to be seen.
-    void look(const ConvexPolygon& polygon, const Vec3f& from, bool both_sides);
+    /// From a point above its plane, or, if `both_sides`, below. From in the plane there is nothing to be seen. Only the part above
+    /// the point's own horizon is, the plane across unit vector `up`.
+    void look(const ConvexPolygon& polygon, const Vec3f& from, const Vec3f& up, bool both_sides);
 
     bool is_visible() const { return !m_edges.empty(); }
     /// Steradian.
@@ -40,6 +42,9 @@ private:
         Vec3f begin, end;  // unit; counter-clockwise round the polygon
         Vec3f inward;      // unit normal of the great circle
     };
+    void cut_off(const ConvexPolygon& polygon, const Vec3f& from, const Vec3f& up);
+
+    std::vector<Vec3f> m_corners;  // above the horizon, from the point
     std::vector<Edge> m_edges;
     float m_solid_angle = 0;
 };

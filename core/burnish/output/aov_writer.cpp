@@ -26,6 +26,7 @@ constexpr Pass kPasses[] = {{Role::beauty, "Combined", "RGB", true},
                             {Role::diffuse_albedo, "DiffCol", "RGB", true},
                             {Role::diffuse_direct, "DiffDir", "RGB", true},
                             {Role::diffuse_indirect, "DiffInd", "RGB", true},
+                            {Role::irradiance, "Irradiance", "RGB", true},
                             {Role::geometric_normal, "GeometricNormal", "XYZ", false},
                             {Role::tangent, "Tangent", "XYZ", false},
                             {Role::roughness, "Roughness", "X", false}};

@@ -1,6 +1,7 @@
 #include <burnish/shading/local_shading.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/shading/area_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/reference.h>
 #include <burnish/shading/tap_rays.h>
@@ -27,7 +28,7 @@ void set_own_rays(const LobeTaps& lobe, const SurfaceBatch& batch, size_t begin,
             const Vec3f wi = tap.wi.normalized();
             const Color3f weight = tap.weight * visible_share(wi.z * side, point.ng.dot(wi) * side, tap.edge);
             if (weight == Color3f(0, 0, 0)) continue;
-            out.rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level)});
+            out.rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level), side});
             out.weights.push_back({{weight.x, weight.y, weight.z, luminance(weight)}});
         }
         out.ends.push_back(static_cast<uint32_t>(out.rays.size()));
@@ -84,6 +85,7 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
         lights.lookup(asked.rays, found);
         for (size_t i = begin, first = 0; i < end; first = asked.ends[i++ - begin])
             add_pixel(asked, found, first, asked.ends[i - begin], lobe_scale(batch, i, taps.lobe()), i, out);
+        add_area_residuals(taps.lobe(), lights, batch, begin, end, asked, out.overlay, out.samples);
     }
 }
 

@@ -39,7 +39,7 @@ void set_rays(const LobeTable& lobe, const SurfaceBatch& batch, size_t begin, si
                                                  reinterpret_cast<Weights>(&out.weights[count]));
                 finish_taps(placed, taps);
                 for (size_t k = 0; k < placed; ++k)
-                    out.rays[count + k] = {p, normal, {taps.x[k], taps.y[k], taps.z[k]}, taps.level[k]};
+                    out.rays[count + k] = {p, normal, {taps.x[k], taps.y[k], taps.z[k]}, taps.level[k], lobe.table.side_sign()};
                 count += placed;
             }
             out.ends.push_back(static_cast<uint32_t>(count));
