@@ -13,8 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 12> kFields{"scene",   "up",      "texcoord", "light_maps", "camera",  "size",
-                                                            "cubes",   "mirrors", "panes",    "cube_size",  "samples", "output"};
+constexpr std::array<std::string_view, 12> kFields{"scene", "up",      "texcoord", "light_maps", "camera",  "size",
+                                                   "cubes", "mirrors", "panes",    "cube_size",  "samples", "output"};
 constexpr std::array<std::string_view, 5> kMapFields{"radiance", "irradiance", "albedo", "bake", "size"};
 constexpr std::array<std::string_view, 3> kMapSources{"radiance", "irradiance", "bake"};
 constexpr std::array<std::string_view, 3> kCubeFields{"object", "name", "centre"};
@@ -67,7 +67,8 @@ std::vector<Item> list(const JsonFields& fields, std::string_view key, Item (*it
     if (!fields.has(key)) return items;
     const json& values = fields.at(key);
     if (!values.is_array()) fail_expected(fields.path(key), "a list of objects", values);
-    for (size_t i = 0; i < values.size(); ++i) items.push_back(item(values[i], fields.path(key) + "[" + std::to_string(i) + "]"));
+    for (size_t i = 0; i < values.size(); ++i)
+        items.push_back(item(values[i], fields.path(key) + "[" + std::to_string(i) + "]"));
     return items;
 }
 

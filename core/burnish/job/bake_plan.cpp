@@ -56,7 +56,8 @@ public:
         if (!plane) refuse("mirror '" + mirror.object + "': the camera sees no front of it; give its plane, or turn its faces");
         const std::string kind = mirror.behind ? "behind_" : "mirror_";
         const std::string name = kind + file_name(mirror.name.empty() ? mirror.object : mirror.name);
-        PlannedMirror planned{claimed(name), name + ".exr", {}, mirror.behind ? behind_view(frame, *plane) : mirror_view(frame, *plane)};
+        PlannedMirror planned{
+            claimed(name), name + ".exr", {}, mirror.behind ? behind_view(frame, *plane) : mirror_view(frame, *plane)};
         planned.view.hidden = with_panes(objects);
         planned.light.file = planned.file, planned.light.plane = {plane->point, plane->normal};
         planned.light.behind = mirror.behind;
@@ -75,7 +76,8 @@ private:
 
     void put(const std::string& name, const std::vector<int>& objects, const Vec3f& centre, std::vector<PlannedCube>& cubes) {
         const UpAxis up = m_job.up == UpAxis::z ? UpAxis::z : UpAxis::y;
-        cubes.push_back({claimed("cube_" + file_name(name)), {centre, m_job.cube_size, m_job.samples, up, with_panes(objects)}});
+        cubes.push_back(
+            {claimed("cube_" + file_name(name)), {centre, m_job.cube_size, m_job.samples, up, with_panes(objects)}});
     }
 
     std::vector<int> with_panes(std::vector<int> objects) const {

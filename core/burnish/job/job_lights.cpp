@@ -125,7 +125,7 @@ Setting chain_setting() {
         "map or what is traced, the environment";
     const auto get = [](const Job& job) { return json(chain_to_text(job.chain)); };
     const auto set = [](Job& job, const json& value, const std::string& where) { job.chain = chain_from_json(value, where); };
-    return {"light_chain", "", "light", SettingKind::text, "NAME,...", help, get, set};
+    return {"default_light", "", "light", SettingKind::text, "NAME,...", help, get, set};
 }
 
 }  // namespace setting

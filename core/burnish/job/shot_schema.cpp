@@ -49,7 +49,7 @@ json value_schema(const Setting& setting) {
             break;
     }
     if (setting.name == "camera") schema["type"] = {"string", "object"};
-    if (setting.name == "light_chain") schema = chain_schema();
+    if (setting.name == "default_light") schema = chain_schema();
     schema["description"] =
         setting.unit.empty() ? std::string(setting.help) : std::string(setting.help) + " (" + std::string(setting.unit) + ")";
     schema["default"] = setting.default_value();

@@ -5,10 +5,14 @@
 
 namespace burnish {
 
+Environment::Source::Source(EnvironmentPicture picture) : m_latlong(std::move(picture.latlong)) {
+    if (picture.faces) m_cube = CubeLevel(*picture.faces);
+}
+
 Color3f Environment::Source::radiance(const Vec3f& d) const {
-    if (!is_cube()) return latlong_bilinear(latlong, latlong_coord(d));
+    if (!is_cube()) return latlong_bilinear(m_latlong, latlong_coord(d));
     float rgba[4] = {0, 0, 0, 0};
-    cube.add_bilinear(cube_coord(d), 1.0f, rgba);
+    m_cube.add_bilinear(cube_coord(d), 1.0f, rgba);
     return {rgba[0], rgba[1], rgba[2]};
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <burnish/light/cube_level.h>
-#include <burnish/light/environment.h>
+#include <burnish/light/environment_picture.h>
 #include <burnish/light/gaussian_stack.h>
 #include <burnish/light/sample_table.h>
 
@@ -11,20 +11,25 @@
 
 namespace burnish {
 
-/// Either `latlong` or `cube` is set. Radiance is finite and >= 0.
-struct Environment::Source {
-    Image latlong;
-    CubeLevel cube;
-    /// Cells are the picture's texels (cube: six faces one below the other); weight = luminance of the bilinear picture
-    /// integrated over the texel's solid angle. A cell is 0 only where the bilinear radiance is 0 in all of it.
-    SampleTable table;
+/// Either the lat-long or the cube is set. Radiance is finite and >= 0.
+class Environment::Source {
+public:
+    explicit Source(EnvironmentPicture picture);
 
-    bool is_cube() const { return cube.size() > 0; }
     Color3f radiance(const Vec3f& d) const;
-    void make_table();
-
     Vec3f sample(const Vec2f& u, float& pdf) const;
     float pdf(const Vec3f& d) const;
+
+private:
+    bool is_cube() const { return m_cube.size() > 0; }
+    /// Made when first asked for, by any thread: few renders sample the light. Cells are the picture's texels (cube: six faces one below the other); weight = luminance of the bilinear picture
+    /// integrated over the texel's solid angle. A cell is 0 only where the bilinear radiance is 0 in all of it.
+    const SampleTable& table() const;
+
+    Image m_latlong;
+    CubeLevel m_cube;
+    mutable std::once_flag m_table_made;
+    mutable SampleTable m_table;
 };
 
 struct Environment::Filtered {

@@ -32,8 +32,7 @@ public:
     void add(const Object& object) {
         const size_t index = m_json["nodes"].size();
         m_json["scenes"][0]["nodes"].push_back(index);
-        m_json["nodes"].push_back(
-            {{"name", object.name}, {"mesh", index}, {"extras", {{"pass_index", object.object_index}}}});
+        m_json["nodes"].push_back({{"name", object.name}, {"mesh", index}, {"extras", {{"pass_index", object.object_index}}}});
         const Mesh& mesh = object.mesh;
         ordered_json attributes;
         attributes["POSITION"] = positions(mesh);
@@ -111,8 +110,10 @@ private:
     }
 
     bool m_z_up;
-    ordered_json m_json = {{"nodes", ordered_json::array()},       {"meshes", ordered_json::array()},
-                           {"materials", ordered_json::array()},   {"accessors", ordered_json::array()},
+    ordered_json m_json = {{"nodes", ordered_json::array()},
+                           {"meshes", ordered_json::array()},
+                           {"materials", ordered_json::array()},
+                           {"accessors", ordered_json::array()},
                            {"bufferViews", ordered_json::array()}};
     std::string m_buffer;
 };

@@ -66,11 +66,11 @@ void attach(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned id) {
     rtcReleaseGeometry(geometry);
 }
 
-RTCRay make_ray(const Vec3f& origin, const Vec3f& direction, float distance) {
+RTCRay make_ray(const Vec3f& origin, const Vec3f& direction, float near, float far) {
     RTCRay ray{};
     ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
     ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-    ray.tnear = 0, ray.tfar = distance, ray.mask = ~0u;
+    ray.tnear = near, ray.tfar = far, ray.mask = ~0u;
     return ray;
 }
 
@@ -133,9 +133,10 @@ Tracer::Tracer(const Scene& scene) : m_scene(&scene) {
     m_embree = embree;
 }
 
-std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden) const {
+std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, float near, float far,
+                                   std::span<const int> hidden) const {
     RTCRayHit query{};
-    query.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity());
+    query.ray = make_ray(origin, direction, near, far);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     intersect(m_embree->scene, query, Query{{}, hidden});
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -159,7 +160,7 @@ std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, 
 }
 
 bool Tracer::occluded(const Vec3f& origin, const Vec3f& direction, float distance, std::span<const int> hidden) const {
-    RTCRay ray = make_ray(origin, direction, distance);
+    RTCRay ray = make_ray(origin, direction, 0, distance);
     test_occlusion(m_embree->scene, ray, Query{{}, hidden});
     return ray.tfar < 0;
 }

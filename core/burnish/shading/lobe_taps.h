@@ -20,6 +20,8 @@ public:
     LobeTaps(const LobeParameters& lobe, const EstimatorSettings& settings);
 
     const LobeParameters& lobe() const { return m_lobe; }
+    /// The taps by the view; null where anisotropy comes from a layer, and each point has its own.
+    const TapTable* table() const { return m_table.tap_count() > 0 ? &m_table : nullptr; }
     /// Writes the taps at a point, as many as it needs.
     void at(const ShadingPoint& point, std::vector<Tap>& taps) const;
 

@@ -1,8 +1,10 @@
 #include <burnish/shading/local_shading.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/shading/area_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/reference.h>
+#include <burnish/shading/tap_rays.h>
 
 #include <algorithm>
 
@@ -11,27 +13,44 @@ namespace {
 
 const Matrix33f kWorld;  // lights of a chain know their own axes
 
-/// The taps of some pixels as rays, one after the other.
-struct TapRays {
-    std::vector<LightRay> rays;
-    std::vector<Color3f> weights;
-    std::vector<uint32_t> ends;  // of each pixel's rays
-    std::vector<Tap> taps = {};
+constexpr size_t kRaysAtOnce = 512;   // so that they and what comes back stay in the cache
+constexpr size_t kFewestPixels = 32;  // at once, however many taps they have
 
-    void add(const LobeTaps& lobe, const SurfaceBatch& batch, size_t i) {
-        const float side = lobe.lobe().side == Side::transmission ? -1.0f : 1.0f;
+/// Of pixels that make their own taps each.
+void set_own_rays(const LobeTaps& lobe, const SurfaceBatch& batch, size_t begin, size_t end, std::vector<Tap>& taps,
+                  TapRays& out) {
+    const float side = lobe.lobe().side == Side::transmission ? -1.0f : 1.0f;
+    out.clear();
+    for (size_t i = begin; i < end; ++i) {
         const ShadingPoint point = shading_point(batch, i, lobe.lobe(), kWorld);
         lobe.at(point, taps);
         for (const Tap& tap : taps) {
             const Vec3f wi = tap.wi.normalized();
-            const Color3f weight = tap.weight * point.scale * visible_share(wi.z * side, point.ng.dot(wi) * side, tap.edge);
+            const Color3f weight = tap.weight * visible_share(wi.z * side, point.ng.dot(wi) * side, tap.edge);
             if (weight == Color3f(0, 0, 0)) continue;
-            rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level)});
-            weights.push_back(weight);
+            out.rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level), side});
+            out.weights.push_back({{weight.x, weight.y, weight.z, luminance(weight)}});
         }
-        ends.push_back(static_cast<uint32_t>(rays.size()));
+        out.ends.push_back(static_cast<uint32_t>(out.rays.size()));
     }
-};
+}
+
+/// What rays [first, end) bring to pixel i.
+void add_pixel(const TapRays& asked, std::span<const Incident> found, size_t first, size_t end, const Color3f& scale, size_t i,
+               const LocalSums& out) {
+    Color3f sum(0, 0, 0);
+    float bends = 0, nearness = 0;
+    for (size_t k = first; k < end; ++k) {
+        const float* weight = asked.weights[k].rgba;
+        const Color3f light = Color3f(weight[0], weight[1], weight[2]) * found[k].radiance;
+        sum += light;
+        const float bend = std::fabs(weight[3]) * found[k].bend;
+        bends += bend, nearness += found[k].nearness * nearness_weight(luminance(light), bend);
+    }
+    out.overlay[i] += sum * scale, out.samples[i] += static_cast<float>(end - first);
+    if (out.bend.empty()) return;
+    out.bend[i] += bends * luminance(scale), out.nearness[i] += nearness * luminance(scale);
+}
 
 /// All light at one point, for reference_estimate.
 struct LocalArrival {
@@ -51,25 +70,22 @@ MaterialTaps::MaterialTaps(const Material& material, const EstimatorSettings& es
 }
 
 void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const SurfaceBatch& batch, const LocalSums& out) {
+    const TapTable* table = taps.table();
+    const size_t at_once = std::max(kFewestPixels, table ? kRaysAtOnce / static_cast<size_t>(table->tap_count()) : 0);
     TapRays asked;
-    for (size_t i = 0; i < batch.size(); ++i) asked.add(taps, batch, i);
-    std::vector<Incident> found(asked.rays.size());
-    lights.lookup(asked.rays, found);
-    for (size_t i = 0, k = 0; i < batch.size(); ++i) {
-        const float before = luminance(out.overlay[i]);
-        float bend = 0, nearness = 0, total = 0;
-        out.samples[i] += static_cast<float>(asked.ends[i] - k);
-        for (; k < asked.ends[i]; ++k) {
-            const Color3f light = asked.weights[k] * found[k].radiance;
-            const float shown = std::fabs(luminance(light));
-            out.overlay[i] += light;
-            bend += std::fabs(luminance(asked.weights[k])) * found[k].bend;
-            nearness += shown * found[k].nearness, total += shown;
-        }
-        const float own = luminance(out.overlay[i]) - before, all = std::max(before + own, 1e-20f);
-        if (!out.bend.empty()) out.bend[i] += bend;
-        if (!out.nearness.empty())
-            out.nearness[i] += (nearness / std::max(total, 1e-20f) - out.nearness[i]) * std::clamp(own / all, 0.0f, 1.0f);
+    std::vector<Tap> own;
+    std::vector<Incident> found;
+    for (size_t begin = 0; begin < batch.size(); begin += at_once) {
+        const size_t end = std::min(begin + at_once, batch.size());
+        if (table)
+            set_table_rays({taps.lobe(), *table, kWorld}, batch, begin, end, asked);
+        else
+            set_own_rays(taps, batch, begin, end, own, asked);
+        found.resize(asked.rays.size());
+        lights.lookup(asked.rays, found);
+        for (size_t i = begin, first = 0; i < end; first = asked.ends[i++ - begin])
+            add_pixel(asked, found, first, asked.ends[i - begin], lobe_scale(batch, i, taps.lobe()), i, out);
+        add_area_residuals(taps.lobe(), lights, batch, begin, end, asked, out.overlay, out.samples);
     }
 }
 

@@ -117,8 +117,8 @@ struct ShadingPlan::Planner {
                 centres.roughness[i] = std::min(centres.roughness[i], neighbours.roughness[k]);
     }
 
-    /// Radian per pixel that the view turns, and the lobe's far end with its tangent, from the centres to their neighbours. What was
-    /// found for a larger cell holds for its parts.
+    /// Radian per pixel that the view turns, the lobe's far end with its tangent, and what is near as the point moves, from the
+    /// centres to their neighbours. What was found for a larger cell holds for its parts.
     void add_other_motion(const BatchNeeds& needs) {
         neighbours.clear();
         for (size_t i = 0; i < own.size(); ++i)
@@ -131,6 +131,7 @@ struct ShadingPlan::Planner {
             if (own[i].reach != kUnknown) continue;
             for (int side = 0; side < 2; ++side, ++k) {
                 float change = (neighbours.wo[k] - centres.wo[i]).length();
+                if (predictions[i].nearness > 0) change += predictions[i].nearness * step_across(i, k);
                 if (const float length = predictions[i].length; length > 0) {
                     change += length * (neighbours.t[k] - centres.t[i]).length();
                     if (!centres.rotation.empty()) change += length * std::fabs(neighbours.rotation[k] - centres.rotation[i]);
@@ -138,6 +139,12 @@ struct ShadingPlan::Planner {
                 own[i].others = std::max(own[i].others, change);
             }
         }
+    }
+
+    /// The way from a centre to a neighbour across the view, which is across the mirrored view, too, as both lie on the surface.
+    float step_across(size_t centre, size_t neighbour) const {
+        const Vec3f step = neighbours.p[neighbour] - centres.p[centre], wo = centres.wo[centre];
+        return (step - wo * step.dot(wo)).length();
     }
 
     void split(const Cell& cell) {

@@ -58,7 +58,7 @@ TEST(JobLights, TakePathsFromTheFolderOfTheirFile) {
 
 TEST(JobLights, TakeTextAsTheCommandLineGivesIt) {
     Job job;
-    set_settings(job, {{"lights", {{"lamp", kLamp.dump()}, {"sky", kSky}}}, {"light_chain", "lamp,sky"}}, "");
+    set_settings(job, {{"lights", {{"lamp", kLamp.dump()}, {"sky", kSky}}}, {"default_light", "lamp,sky"}}, "");
     EXPECT_EQ(job.lights.size(), 1u);
     EXPECT_EQ(job.environment, "sky.hdr");
     EXPECT_EQ(job.chain, (std::vector<std::string>{"lamp", "sky"}));
