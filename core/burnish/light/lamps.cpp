@@ -138,7 +138,7 @@ LightDraw Lamps::sample(const Vec3f& p, const Vec2f& u) const {
 float Lamps::pdf(const Vec3f& p, const Vec3f& d) const {
     if (empty()) return 0;
     float sum = 0, from = 0;
-    while (const auto hit = m_tracer->closest(p, d, {}, from)) {
+    while (const auto hit = m_tracer->closest(p, d, from)) {
         const float cosine = std::abs(hit->ng.dot(d)), distance = hit->distance;
         if (hit->front && cosine > 0) sum += m_weights[hit->triangle] * distance * distance / cosine;
         from = distance * (1 + kPastHit);

@@ -15,7 +15,7 @@ TracedStart::TracedStart(const LitScene& scene, const LightRay& ray)
     : m_scene(scene), m_p(ray.p), m_ng(ray.ng), m_side(std::copysign(1.0f, ray.ng.dot(ray.d))) {
     const float size = std::max({std::abs(ray.p.x), std::abs(ray.p.y), std::abs(ray.p.z)});
     const float off = kFarFloat * (size + scene.extent()), reach = kHalfFloat * size + off;
-    const auto hit = scene.tracer().closest(ray.p + ray.ng * reach, -ray.ng, {}, 0, 2 * reach);
+    const auto hit = scene.tracer().closest(ray.p + ray.ng * reach, -ray.ng, 0, 2 * reach);
     m_origin = hit ? hit->p + hit->ng * (m_side * off) : ray.p + ray.ng * (m_side * off);
 }
 
