@@ -86,18 +86,18 @@ void add_objects(SceneBuilder& b) {
           placed(make_box({0.24f, 0.24f, 0.4f}, 0.015f, 3), {{-0.95f, 0.9f, 0.4f}}));
     b.add("vase_chrome", "chrome", {0.03f, 0.03f, 0.03f}, 0.1f,
           placed(make_vase(128), {{-0.95f, 0.9f, 0.8f}, 0, 0, Vec3f(0.55f)}));
-    b.add("ball_silver", "silver", {0.03f, 0.03f, 0.03f}, 0.2f, placed(make_sphere(0.22f, 96), {{0.95f, -0.55f, 0.22f}}));
-    b.add("ball_copper", "copper", {0.06f, 0.03f, 0.02f}, 0.3f, placed(make_sphere(0.16f, 96), {{-0.55f, -0.70f, 0.16f}}));
+    b.add("ball_silver", "silver", {0.03f, 0.03f, 0.03f}, 0.2f, placed(make_sphere(0.22f, 96), {{0.95f, -0.30f, 0.22f}}));
+    b.add("ball_copper", "copper", {0.06f, 0.03f, 0.02f}, 0.3f, placed(make_sphere(0.16f, 96), {{-0.50f, -0.25f, 0.16f}}));
     b.add("box_lacquer", "car-paint", {0.13f, 0.006f, 0.008f}, 0.2f,
-          placed(make_box({0.24f, 0.20f, 0.34f}, 0.03f, 5), {{-2.15f, 1.35f, 0.34f}, 32}));
+          placed(make_box({0.24f, 0.20f, 0.34f}, 0.03f, 5), {{-2.05f, 1.35f, 0.34f}, 32}));
     b.add("ball_plastic", "plastic-gloss", {0.55f, 0.22f, 0.01f}, 0.2f,
           placed(make_sphere(0.26f, 96), {{1.95f, 1.55f, 0.26f}}));
     b.add("ring_rubber", "rubber", {0.03f, 0.10f, 0.08f}, 0.7f,
           placed(make_torus_knot(1, 0, 0.19f, 0.075f, 128, 32), {{1.35f, 1.75f, 0.075f}}));
     b.add("pane_clear", "clear-glass", {0.02f, 0.03f, 0.03f}, 0.1f,
-          placed(make_box({0.42f, 0.008f, 0.62f}, 0.004f, 2), {{-1.75f, 0.15f, 0.62f}, 20}));
+          placed(make_box({0.42f, 0.008f, 0.62f}, 0.004f, 2), {{-1.62f, 0.35f, 0.62f}, 20}));
     b.add("pane_frosted", "frosted-glass", {0.02f, 0.03f, 0.03f}, 0.5f,
-          placed(make_box({0.50f, 0.008f, 0.62f}, 0.004f, 2), {{1.55f, 0.70f, 0.62f}, -16}));
+          placed(make_box({0.50f, 0.008f, 0.62f}, 0.004f, 2), {{1.60f, 0.60f, 0.62f}, -16}));
 }
 
 }  // namespace
@@ -112,6 +112,6 @@ Scene make_demo_room() {
     return b.take();
 }
 
-Viewpoint demo_room_viewpoint() { return {{-0.1f, -2.35f, 1.45f}, {0, 0.9f, 0.72f}, {0, 0, 1}, 66}; }
+Viewpoint demo_room_viewpoint() { return {{-0.1f, -2.4f, 1.4f}, {0, 0.9f, 0.66f}, {0, 0, 1}, 76}; }
 
 }  // namespace burnish
