@@ -55,16 +55,19 @@ ReadyMaterials ready_materials(const Job& job, const Wardrobe& wardrobe, const s
                                const Rig& rig) {
     std::map<std::string, std::shared_ptr<ReadyMaterial>> by_name;
     ReadyMaterials ready;
+    const bool sparse = is_sparse(job.density.density, job.estimator.kind);
     for (size_t rule = 0; rule < materials.size(); ++rule) {
         std::shared_ptr<ReadyMaterial>& own = by_name[wardrobe.rules[rule].material];
         if (!own) own = std::make_shared<ReadyMaterial>();
         const PossibleLight light = possible_light(rig, rule);
         if (light.distant && !own->distant) {
             own->distant.emplace(materials[rule], *rig.environment(), job.estimator);
-            if (is_sparse(job.density.density, job.estimator.kind))
-                own->distant_predictor.emplace(materials[rule], *rig.environment(), job.density);
+            if (sparse) own->distant_predictor.emplace(materials[rule], *rig.environment(), job.density);
         }
-        if (light.other && !own->taps) own->taps = std::make_shared<const MaterialTaps>(materials[rule], job.estimator);
+        if (light.other && !own->taps) {
+            own->taps = std::make_shared<const MaterialTaps>(materials[rule], job.estimator);
+            if (sparse) own->probes = std::make_shared<const MaterialProbes>(materials[rule], job.density);
+        }
         ready.push_back(own);
     }
     return ready;
@@ -78,8 +81,8 @@ void equip(const Rig& rig, const ReadyMaterials& materials, const std::vector<Li
         const bool distant = rig.is_distant(look.chain);
         shaders.push_back(distant ? *material.distant : MaterialShader(material.taps, rig.chain(look.chain)));
         if (distant && material.distant_predictor) predictors.push_back(*material.distant_predictor);
+        if (!distant && material.probes) predictors.emplace_back(material.probes, rig.chain(look.chain));
     }
-    if (predictors.size() != shaders.size()) predictors.clear();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <burnish/input/frame.h>
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
+#include <burnish/shading/local_prediction.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/predictor.h>
@@ -35,6 +36,7 @@ struct ReadyMaterial {
     std::optional<MaterialShader> distant;
     std::optional<BandwidthPredictor> distant_predictor;  // sparse shading only
     std::shared_ptr<const MaterialTaps> taps;
+    std::shared_ptr<const MaterialProbes> probes;  // sparse shading only
 };
 
 /// Wardrobe and lights, ready to shade. Entry i of the lists belongs to rule i; rules of one material share it.
@@ -47,7 +49,7 @@ struct Look {
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig);
 
-/// What shades the looks of a frame: entry i belongs to look i. Predictors are there where all looks are shaded sparsely.
+/// What shades the looks of a frame: entry i belongs to look i. Predictors are there for sparse shading only.
 struct Equipment {
     std::vector<MaterialShader> shaders, old_shaders;
     std::vector<BandwidthPredictor> predictors, old_predictors;
