@@ -94,6 +94,7 @@ void add_quality(std::vector<Setting>& table) {
                                          {"circles", PatternKind::circles},
                                          {"offset_circles", PatternKind::offset_circles},
                                          {"ring", PatternKind::ring},
+                                         {"rings", PatternKind::rings},
                                          {"line", PatternKind::line},
                                          {"tuned", PatternKind::tuned}},
                                         "shape of the regular pattern; tuned: fitted to lights, up to 30 samples; auto: tuned "

@@ -23,14 +23,15 @@ Texel bake_texel(const Tracer& tracer, const SurfaceLight& light, const CubeMapV
     const int face = row / view.face_size, y = row % view.face_size;
     const auto left = static_cast<float>(x), top = static_cast<float>(y), samples = static_cast<float>(view.samples);
     Texel texel;
-    if (const auto hit = tracer.closest(view.centre, strip_direction(view, face, left + 0.5f, top + 0.5f), view.hidden))
+    if (const auto hit =
+            tracer.closest(view.centre, strip_direction(view, face, left + 0.5f, top + 0.5f), 0, kInfinitelyFar, view.hidden))
         texel.distance = hit->distance;
     const float spread = 2 / static_cast<float>(view.face_size) / std::sqrt(samples);  // of a sample, in the middle of a face
     const auto seed = hash_bits(static_cast<uint32_t>(x), static_cast<uint32_t>(row));
     for (uint32_t i = 0; i < static_cast<uint32_t>(view.samples); ++i) {
         const Vec2f u = owen_sobol(i, seed);
         const Vec3f d = strip_direction(view, face, left + u.x, top + u.y);
-        const auto hit = tracer.closest(view.centre, d, view.hidden);
+        const auto hit = tracer.closest(view.centre, d, 0, kInfinitelyFar, view.hidden);
         if (!hit) continue;
         const float cosine = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
         texel.radiance += light.radiance(*hit, spread * hit->distance * cosine) / samples;

@@ -1,12 +1,14 @@
 #include <burnish/light/lamps.h>
 
 #include <burnish/base/parallel.h>
+#include <burnish/sampling/sequence.h>
 
 #include <algorithm>
 
 namespace burnish {
 namespace {
 
+constexpr uint32_t kPoints = 16;
 constexpr float kBright = 3;       // times the scene's mean radiance
 constexpr int kMostSteps = 6;      // of the grid over a triangle on which its light is averaged
 constexpr float kPastHit = 1e-5f;  // of its distance: where to look for what lies behind a hit
@@ -83,27 +85,60 @@ Lamps::Lamps(const SurfaceLight& light) {
         powers.push_back(triangle.power);
     }
     m_table = SampleTable(static_cast<int>(powers.size()), 1, powers);
-    for (size_t i = 0; i < triangles.size(); ++i)
+    m_of_scene.resize(light.scene().objects.size());
+    for (size_t i = 0; i < triangles.size(); ++i) {
+        const Hit& place = triangles[i].hit;
+        m_places.push_back(place);
         m_weights.push_back(static_cast<float>(m_table.probability(static_cast<int>(i), 0) / triangles[i].area));
+        std::vector<float>& weights = m_of_scene[static_cast<size_t>(place.object)];
+        weights.resize(light.scene().objects[static_cast<size_t>(place.object)].mesh.triangles.size());
+        weights[place.triangle] = m_weights.back();
+    }
     m_tracer.emplace(*scene);
     m_triangles = std::move(scene);
+    make_points(light);
 }
 
-LightDraw Lamps::sample(const Vec3f& p, const Vec2f& u) const {
-    if (empty()) return {};
+void Lamps::make_points(const SurfaceLight& light) {
+    const Mesh& mesh = m_triangles->objects[0].mesh;
+    for (uint32_t i = 0; i < kPoints; ++i) {
+        const Drawn drawn = draw(owen_sobol(i, 0));
+        const auto& [a, b, c] = mesh.triangles[drawn.triangle];
+        const Vec3f pa = mesh.vertices[a].p;
+        Hit hit = m_places[drawn.triangle];
+        hit.uv = drawn.uv;
+        const float density = kPoints * m_weights[drawn.triangle];
+        const Color3f radiance = light.radiance(hit, std::sqrt(4 / (kPi * density)));
+        m_points.push_back({drawn.p, (mesh.vertices[b].p - pa).cross(mesh.vertices[c].p - pa).normalized(), radiance, density});
+    }
+}
+
+float Lamps::density(const Hit& hit) const {
+    if (empty() || !hit.front) return 0;
+    const std::vector<float>& weights = m_of_scene[static_cast<size_t>(hit.object)];
+    return weights.empty() ? 0 : kPoints * weights[hit.triangle];
+}
+
+Lamps::Drawn Lamps::draw(const Vec2f& u) const {
     const SampleTable::Place place = m_table.sample(u);
     const Mesh& mesh = m_triangles->objects[0].mesh;
     const auto& [a, b, c] = mesh.triangles[static_cast<size_t>(place.column)];
     const float root = std::sqrt(place.x);
     const Vec2f at(root * (1 - place.y), root * place.y);
-    const Vec3f d = (between(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], at).p - p).normalized();
+    const Vertex vertex = between(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], at);
+    return {vertex.p, vertex.uv, static_cast<size_t>(place.column)};
+}
+
+LightDraw Lamps::sample(const Vec3f& p, const Vec2f& u) const {
+    if (empty()) return {};
+    const Vec3f d = (draw(u).p - p).normalized();
     return {d, pdf(p, d)};
 }
 
 float Lamps::pdf(const Vec3f& p, const Vec3f& d) const {
     if (empty()) return 0;
     float sum = 0, from = 0;
-    while (const auto hit = m_tracer->closest(p, d, {}, from)) {
+    while (const auto hit = m_tracer->closest(p, d, from)) {
         const float cosine = std::abs(hit->ng.dot(d)), distance = hit->distance;
         if (hit->front && cosine > 0) sum += m_weights[hit->triangle] * distance * distance / cosine;
         from = distance * (1 + kPastHit);

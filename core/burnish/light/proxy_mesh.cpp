@@ -13,7 +13,10 @@ void ProxyMesh::ends(std::span<const LightRay> rays, std::vector<RayEnd>& out) c
         here.p = ray.p, here.ng = ray.d.dot(ray.ng) < 0 ? -ray.ng : ray.ng;
         const Vec3f origin = leaving_point(here);
         const auto hit = m_tracer.closest(origin, ray.d);
-        out.push_back(hit ? RayEnd{i, 1.0f, hit->p - m_centre, hit->ng, hit->distance} : RayEnd::nowhere(i, ray.d));
+        if (hit)
+            out.push_back({i, 1.0f, hit->p - m_centre, hit->ng, std::max((hit->p - ray.p).dot(ray.d), 0.0f)});
+        else
+            out.push_back(RayEnd::nowhere(i, ray.d));
     }
 }
 

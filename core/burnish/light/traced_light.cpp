@@ -3,109 +3,116 @@
 #include <burnish/base/error.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace burnish {
 namespace {
 
 constexpr int kMostRays = 64;
-constexpr float kGoldenAngle = 2.39996323f;
-constexpr float kHalfFloat = 1e-3f;    // positions may be half floats: how far they may lie off the surface, of their size
-constexpr float kFarFloat = 1e-5f;     // how far a ray starts off the surface, of the size of its place and of the scene
+constexpr float kLeastSigma = 1e-4f;   // radian
 constexpr float kSteepest = 0.484f;    // half the integral of |g''|, g a Gaussian of width 1
 constexpr float kDiscOfSigma = 4;      // diameter of the disc that spreads as much as a Gaussian of width 1
 constexpr float kLeastCosine = 0.05f;  // of footprints on surfaces seen at a grazing angle
 
-/// Golden spiral through the equal parts of a Gaussian's mass, drawn together so that with parts of width `part` the whole has
-/// width 1 again.
-std::vector<Vec2f> bundle_of(int rays, float part) {
-    std::vector<Vec2f> places;
-    float square = 0;
-    for (int i = 0; i < rays; ++i) {
-        const float u = (static_cast<float>(i) + 0.5f) / static_cast<float>(rays), phi = kGoldenAngle * static_cast<float>(i);
-        const float r2 = -2 * std::log(1 - u);
-        places.push_back(Vec2f(std::cos(phi), std::sin(phi)) * std::sqrt(r2));
-        square += r2 / static_cast<float>(rays);
+int checked(int rays) {
+    if (rays >= 1 && rays <= kMostRays) return rays;
+    throw Error(ErrorCode::bad_argument,
+                "traced light: rays is " + std::to_string(rays) + ", expected 1 to " + std::to_string(kMostRays));
+}
+
+/// What a ray along d met, averaged over a Gaussian `sigma` radian wide.
+Color3f seen(const LitScene& scene, const Hit& hit, const Vec3f& d, float sigma) {
+    const float cosine = std::max(std::abs(hit.ng.dot(d)), kLeastCosine);
+    return scene.light().radiance(hit, kDiscOfSigma * sigma * hit.distance / std::sqrt(cosine));
+}
+
+/// The sums of a cone, from its rays and from the lamps' points.
+class ConeSum {
+public:
+    ConeSum(const Cone& cone, int rays) : m_cone(cone), m_rays(static_cast<float>(rays)) {}
+
+    void miss() { m_darkest = 0; }
+
+    /// `lamps`: density of the lamps' points there, per steradian. `part`: square width of a ray's part of the cone.
+    void add_ray(const Vec3f& d, const Color3f& radiance, float nearness, float lamps, float part) {
+        float share = 1 / m_rays;
+        if (lamps > 0) {
+            const float g = m_cone.density(m_cone.squares(d) + Vec2f(2 * part));
+            share = g / (m_rays * g + lamps);
+        }
+        add(radiance * share, nearness);
+        const float whole = luminance(radiance) * share * m_rays;
+        m_cover += 1 / m_rays, m_darkest = std::min(m_darkest, whole), m_brightest = std::max(m_brightest, whole);
     }
-    for (Vec2f& place : places) place *= std::sqrt(2 * (1 - part * part) / square);
-    return places;
-}
 
-/// `place` widths of a spherical Gaussian off the axis n.
-Vec3f off_axis(const Frame& frame, const Vec2f& place, float sigma) {
-    const float versine = std::min(0.5f * place.length2() * sigma * sigma, 2.0f), cosine = 1 - versine;
-    const float sine = std::sqrt(versine * (1 + cosine)), length = place.length();
-    if (!(length > 0)) return frame.n;
-    return (frame.t * place.x + frame.b * place.y) * (sine / length) + frame.n * cosine;
-}
+    void add_lamp(const SeenLamp& lamp) {
+        const Vec2f squares = m_cone.squares(lamp.d);
+        const float g = m_cone.density(squares);
+        const Color3f light = lamp.radiance * (g / (m_rays * g + lamp.density));
+        add(light, lamp.nearness);
+        m_bend += luminance(light) * (1 + squares.x);
+    }
 
-/// d, mirrored up where it lies below the horizon of n: nothing comes from there.
-Vec3f folded(const Vec3f& d, const Vec3f& n) { return d - n * (2 * std::min(n.dot(d), 0.0f)); }
+    Incident result(const Color3f& gain) const {
+        Incident sum;
+        const float width2 = m_cone.sigma() * m_cone.sigma();
+        sum.radiance = m_radiance * gain, sum.cover = m_cover;
+        sum.bend = (kSteepest * std::max(m_brightest - m_darkest, 0.0f) + m_bend) / width2 * luminance(gain);
+        sum.nearness = m_weight > 0 ? m_nearness / m_weight : 0;
+        return sum;
+    }
 
-float size_of(const Vec3f& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+private:
+    static constexpr float kDark = 1e-6f;  // so that black surfaces have a distance
+
+    void add(const Color3f& light, float nearness) {
+        const float weight = luminance(light) + kDark;
+        m_radiance += light, m_nearness += weight * nearness, m_weight += weight;
+    }
+
+    const Cone& m_cone;
+    float m_rays, m_cover = 0, m_bend = 0, m_nearness = 0, m_weight = 0;
+    float m_darkest = std::numeric_limits<float>::infinity(), m_brightest = 0;
+    Color3f m_radiance{0, 0, 0};
+};
 
 }  // namespace
 
-/// Where the rays of a shaded point start: on the surface that the scene has there, a little to the side they leave by.
-class TracedLight::Start {
-public:
-    Start(const LitScene& scene, const LightRay& ray) : m_p(ray.p), m_ng(ray.ng), m_on(ray.p), m_up(ray.ng) {
-        m_off = kFarFloat * (size_of(ray.p) + scene.extent());
-        const float reach = kHalfFloat * size_of(ray.p) + m_off;
-        if (const auto hit = scene.tracer().closest(ray.p + ray.ng * reach, -ray.ng, {}, 0, 2 * reach))
-            m_on = hit->p, m_up = hit->ng;
-    }
-
-    bool is_of(const LightRay& ray) const { return ray.p == m_p && ray.ng == m_ng; }
-    Vec3f towards(const Vec3f& d) const { return m_on + m_up * std::copysign(m_off, m_ng.dot(d)); }
-
-private:
-    Vec3f m_p, m_ng, m_on, m_up;
-    float m_off;
-};
-
 TracedLight::TracedLight(std::shared_ptr<const LitScene> scene, int rays, const Color3f& gain)
-    : m_scene(std::move(scene)), m_part(1 / std::sqrt(static_cast<float>(std::max(rays, 1)))), m_gain(gain) {
-    if (rays < 1 || rays > kMostRays)
-        throw Error(ErrorCode::bad_argument,
-                    "traced light: rays is " + std::to_string(rays) + ", expected 1 to " + std::to_string(kMostRays));
-    m_bundle = bundle_of(rays, m_part);
-}
+    : m_scene(std::move(scene)), m_bundle(checked(rays)), m_gain(gain) {}
 
 void TracedLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
-    std::optional<Start> start;
+    std::optional<TracedStart> start;
     for (size_t i = 0; i < rays.size(); ++i) {
         if (!start || !start->is_of(rays[i])) start.emplace(*m_scene, rays[i]);
-        out[i] = bundle(*start, rays[i]);
+        out[i] = averaged(*start, rays[i]);
     }
 }
 
-Incident TracedLight::bundle(const Start& start, const LightRay& ray) const {
-    const Frame frame = Frame::along(ray.d, ray.ng);
-    const float side = std::copysign(1.0f, ray.ng.dot(ray.d)), share = 1 / static_cast<float>(m_bundle.size());
-    Incident sum;
-    float darkest = std::numeric_limits<float>::infinity(), brightest = 0;
-    for (const Vec2f& place : m_bundle) {
-        const Met met = meet(start, folded(off_axis(frame, place, ray.sigma), ray.ng * side), m_part * ray.sigma);
-        sum.radiance += met.radiance * share, sum.cover += met.cover * share, sum.nearness += met.nearness;
-        darkest = std::min(darkest, luminance(met.radiance)), brightest = std::max(brightest, luminance(met.radiance));
+Incident TracedLight::averaged(TracedStart& start, const LightRay& ray) const {
+    const Cone cone(ray.d, start.up(), std::max(ray.sigma, kLeastSigma));
+    const Lamps& lamps = m_scene->lamps();
+    const float part2 = m_bundle.part() * m_bundle.part();
+    ConeSum sum(cone, static_cast<int>(m_bundle.places().size()));
+    for (const Vec2f& place : m_bundle.places()) {
+        const Vec3f d = cone.direction(place);
+        const auto hit = m_scene->tracer().closest(start.origin(), d);
+        if (!hit) {
+            sum.miss();
+            continue;
+        }
+        const float density = lamps.density(*hit) * hit->distance * hit->distance / std::abs(hit->ng.dot(d));
+        sum.add_ray(d, seen(*m_scene, *hit, d, m_bundle.part() * cone.sigma()), 1 / hit->distance, density, part2);
     }
-    sum.nearness *= sum.cover > 0 ? share / sum.cover : 0;
-    const float width2 = ray.sigma * ray.sigma, range = brightest - darkest;
-    sum.bend = range > 0 ? kSteepest * range / width2 : 0;
-    return sum;
-}
-
-TracedLight::Met TracedLight::meet(const Start& start, const Vec3f& d, float sigma) const {
-    const auto hit = m_scene->tracer().closest(start.towards(d), d);
-    if (!hit) return {};
-    const float cosine = std::max(std::abs(hit->ng.dot(d)), kLeastCosine);
-    const float width = kDiscOfSigma * sigma * hit->distance / std::sqrt(cosine);
-    return {m_scene->light().radiance(*hit, width) * m_gain, 1, 1 / hit->distance};
+    for (const SeenLamp& lamp : start.lamps()) sum.add_lamp(lamp);
+    return sum.result(m_gain);
 }
 
 ExactLight TracedLight::exact(const LightRay& ray) const {
-    const Met met = meet(Start(*m_scene, ray), ray.d, 0);
-    return {met.radiance, met.cover, m_scene->lamps().pdf(ray.p, ray.d)};
+    const float pdf = m_scene->lamps().pdf(ray.p, ray.d);
+    const auto hit = m_scene->tracer().closest(TracedStart(*m_scene, ray).origin(), ray.d);
+    if (!hit) return {Color3f(0, 0, 0), 0, pdf};
+    return {m_scene->light().radiance(*hit) * m_gain, 1, pdf};
 }
 
 }  // namespace burnish

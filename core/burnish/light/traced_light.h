@@ -1,10 +1,14 @@
 // The room itself as a light: rays are traced to its geometry, and read there what its surfaces send back.
 //
-// A lookup's cone is a bundle of rays, the same for every point but for the way it is turned: they lie where the Gaussian's mass is
-// cut into equal parts, and each brings the mean over its own part from the light map's pyramid. `exact` is one ray, unfiltered.
+// A lookup's cone is a bundle of rays, the same for every point but for the way it is turned; each brings the mean over its own part
+// of the cone from the light map's pyramid. Such rays would hit or miss a small bright lamp by chance. So a direction that leads to a
+// lamp may come from two sides, as a ray of the cone or as one of a few points of the lamps that all cones of a shaded point share,
+// and counts by the balance heuristic (Veach & Guibas 1995): with K rays of density g and M points of density q, either adds
+// L g / (K g + M q). `exact` is one ray, unfiltered.
 #pragma once
 
-#include <burnish/light/lit_scene.h>
+#include <burnish/light/ray_bundle.h>
+#include <burnish/light/traced_start.h>
 
 #include <memory>
 #include <span>
@@ -17,8 +21,9 @@ public:
     /// `rays`: of a bundle, 1 to 64. `gain` multiplies radiance. Throws Error(bad_argument).
     TracedLight(std::shared_ptr<const LitScene> scene, int rays, const Color3f& gain = Color3f(1, 1, 1));
 
-    /// Cover is the share of the bundle that meets the scene. Bend follows from the range of light among its rays: it bounds what a
-    /// Gaussian makes of any light within that range, and knows nothing of light between the rays that none of them met.
+    /// Cover is the share of the bundle that meets the scene. Bend is that of the lamps' points, and follows for the rest from the
+    /// range of light among the rays: it bounds what a Gaussian makes of any light within that range, and knows nothing of light
+    /// between the rays that none of them met.
     void lookup(std::span<const LightRay> rays, std::span<Incident> out) const;
     ExactLight exact(const LightRay& ray) const;
     bool can_sample() const { return !m_scene->lamps().empty(); }
@@ -26,18 +31,10 @@ public:
     LightDraw sample(const Vec3f& p, const Vec2f& u) const { return m_scene->lamps().sample(p, u); }
 
 private:
-    class Start;
-    struct Met {
-        Color3f radiance{0, 0, 0};
-        float cover = 0, nearness = 0;
-    };
-    Incident bundle(const Start& start, const LightRay& ray) const;
-    /// What a ray towards d meets, averaged over a Gaussian `sigma` radian wide.
-    Met meet(const Start& start, const Vec3f& d, float sigma) const;
+    Incident averaged(TracedStart& start, const LightRay& ray) const;
 
     std::shared_ptr<const LitScene> m_scene;
-    std::vector<Vec2f> m_bundle;  // places of the rays about d, in widths of the Gaussian
-    float m_part;                 // width of a ray's own part, in widths of the Gaussian
+    RayBundle m_bundle;
     Color3f m_gain;
 };
 

@@ -13,9 +13,9 @@ namespace {
 constexpr int kBlock = 4;  // texels that share a set of bounces
 
 /// Every triangle that emits, to be drawn by area and brightness.
-class Lamps {
+class Emitters {
 public:
-    explicit Lamps(const Scene& scene) {
+    explicit Emitters(const Scene& scene) {
         for (const Object& object : scene.objects) {
             const float brightness = luminance(object.emission);
             if (!(brightness > 0)) continue;
@@ -66,12 +66,12 @@ Color3f color_at(const Image& image, size_t pixel) {
 }
 void put(Image& image, size_t pixel, const Color3f& c) { std::copy_n(&c.x, 3, image.at(pixel)); }
 
-Color3f from_lamps(const Tracer& tracer, const Lamps& lamps, const AtlasTexel& texel, uint32_t seed,
+Color3f from_lamps(const Tracer& tracer, const Emitters& lamps, const AtlasTexel& texel, uint32_t seed,
                    const LightMapSettings& s) {
     const Vec3f origin = above(texel);
     Color3f sum(0.0f);
     for (uint32_t i = 0; i < static_cast<uint32_t>(s.lamp_samples); ++i) {
-        const Lamps::Sample lamp = lamps.sample(owen_sobol(i, seed));
+        const Emitters::Sample lamp = lamps.sample(owen_sobol(i, seed));
         const Vec3f way = lamp.p - origin;
         const float length2 = way.length2(), cosines = way.dot(texel.n) * -way.dot(lamp.n);
         if (way.dot(texel.n) <= 0 || cosines <= 0 || tracer.occluded(origin, way, 0.999f, s.hidden)) continue;
@@ -91,7 +91,8 @@ Color3f from_surfaces(const Tracer& tracer, const SurfaceLight& light, const Atl
         const float r = std::sqrt(u.x), phi = 2 * kPi * u.y;
         const Vec3f wi = frame.to_world({r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u.x)});
         if (wi.dot(texel.ng) <= 0) continue;
-        if (const auto hit = tracer.closest(origin, wi, s.hidden)) sum += light.albedo(*hit) * light.irradiance(*hit);
+        if (const auto hit = tracer.closest(origin, wi, 0, kInfinitelyFar, s.hidden))
+            sum += light.albedo(*hit) * light.irradiance(*hit);
     }
     return sum / static_cast<float>(s.bounce_samples);
 }
@@ -133,7 +134,7 @@ Image painted(const std::vector<AtlasTexel>& texels, int size, const Progress& p
 }  // namespace
 
 Image bake_light_map(const Tracer& tracer, const LightMapSettings& settings, const Progress& progress) {
-    const Lamps lamps(tracer.scene());
+    const Emitters lamps(tracer.scene());
     const std::vector<AtlasTexel> texels = atlas_texels(tracer.scene(), settings.size);
     const Image direct = painted(texels, settings.size, progress, "lamps", [&](const AtlasTexel& texel, int x, int y) {
         return from_lamps(tracer, lamps, texel, hash_bits(static_cast<uint32_t>(x), static_cast<uint32_t>(y)), settings);

@@ -133,8 +133,8 @@ Tracer::Tracer(const Scene& scene) : m_scene(&scene) {
     m_embree = embree;
 }
 
-std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden, float near,
-                                   float far) const {
+std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, float near, float far,
+                                   std::span<const int> hidden) const {
     RTCRayHit query{};
     query.ray = make_ray(origin, direction, near, far);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -20,6 +20,8 @@ struct Hit {
     Vec2f uv{0, 0};
 };
 
+inline constexpr float kInfinitelyFar = std::numeric_limits<float>::infinity();
+
 class Tracer {
 public:
     /// Builds the ray-tracing tree; the scene must outlive the tracer. Throws Error(bad_argument) for a triangle that names a
@@ -30,11 +32,11 @@ public:
 
     /// The first surface along origin + s direction, near < s < far; the direction need not be unit length. The ray goes through
     /// the objects of these indices. Thread-safe.
-    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, std::span<const int> hidden = {}, float near = 0,
-                               float far = std::numeric_limits<float>::infinity()) const;
+    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, float near = 0, float far = kInfinitelyFar,
+                               std::span<const int> hidden = {}) const;
 
     /// Whether anything but the hidden objects lies along origin + s direction for 0 < s < distance. Thread-safe.
-    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity(),
+    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = kInfinitelyFar,
                   std::span<const int> hidden = {}) const;
 
 private:

@@ -23,14 +23,13 @@ HalfSpace facing(HalfSpace space, const Camera& camera, bool to_camera) {
 
 std::optional<Hit> View::closest(const Tracer& tracer, const Vec2f& raster) const {
     const Vec3f d = camera.ray(screen_point(raster, width, height));
-    if (!within) return tracer.closest(camera.centre, d, hidden);
+    if (!within) return tracer.closest(camera.centre, d, 0, kInfinitelyFar, hidden);
     const float margin = thickness(within->point), short_of = margin - height_over(*within, camera.centre);
     const float climb = d.dot(within->normal.normalized());
     if (short_of > 0 && climb <= 0) return std::nullopt;
     const float start = short_of > 0 ? short_of / climb : 0.0f;
-    auto hit = tracer.closest(camera.centre + d * start, d, hidden);
+    const auto hit = tracer.closest(camera.centre, d, start, kInfinitelyFar, hidden);
     if (!hit || height_over(*within, hit->p) < 0.5f * margin) return std::nullopt;
-    hit->distance += start;
     return hit;
 }
 

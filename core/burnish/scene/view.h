@@ -24,7 +24,8 @@ struct View {
     std::optional<Hit> closest(const Tracer& tracer, const Vec2f& raster) const;
 };
 
-/// The camera of the picture in a plane mirror: its pixel (x, y) sees what pixel (W - 1 - x, y) of `camera` sees reflected.
+/// The camera that sees in the plane's mirror image what `camera` sees in the mirror. It is no mirrored camera, but one that can
+/// be built: pixel (x, y) of the one sees what pixel (width - 1 - x, y) of the other is reflected to.
 Camera mirrored(const Camera& camera, const HalfSpace& mirror);
 
 /// What the mirror shows `view`: seen by the mirrored camera, only what is on the side of the plane that the camera is on.

@@ -2,10 +2,12 @@
 //
 // Under distant light alone a tap's width becomes a level of its map when the table is made (material_shader.h). Where lights are
 // near, how wide a tap is in the map that it reads depends on the pixel, so here Tap::level is the natural logarithm of the
-// Gaussian's width in radian.
+// Gaussian's width in radian. And where lights are near, lamps are no discs that are shaded apart: lobes with long tails get some
+// more taps for those, tail_taps.h.
 #pragma once
 
 #include <burnish/sampling/estimator.h>
+#include <burnish/shading/tail_taps.h>
 #include <burnish/shading/tap_rule.h>
 #include <burnish/shading/tap_table.h>
 
@@ -26,9 +28,14 @@ public:
     void at(const ShadingPoint& point, std::vector<Tap>& taps) const;
 
 private:
+    void prepare_tail();
+    void add_tail(const ShadingPoint& point, std::vector<Tap>& taps) const;
+
     LobeParameters m_lobe;
     std::optional<TapRule> m_rule;
     TapTable m_table;  // empty where anisotropy comes from a layer
+    TailTaps m_tail;
+    TapTable m_tail_table;  // empty where there is no tail, too
 };
 
 }  // namespace burnish

@@ -94,7 +94,8 @@ TEST(Settings, KeepShortDecimals) {
 TEST(Settings, NameEveryPattern) {
     const std::pair<const char*, PatternKind> names[] = {
         {"auto", PatternKind::automatic}, {"circles", PatternKind::circles}, {"offset_circles", PatternKind::offset_circles},
-        {"ring", PatternKind::ring},      {"line", PatternKind::line},       {"tuned", PatternKind::tuned}};
+        {"ring", PatternKind::ring},      {"rings", PatternKind::rings},     {"line", PatternKind::line},
+        {"tuned", PatternKind::tuned}};
     const auto pattern = std::ranges::find(settings(), "pattern", &Setting::name);
     for (const auto& [name, kind] : names) {
         Job job;

@@ -49,7 +49,7 @@ TEST(BakeCubeMap, EnvironmentReadsBackWhatRaysSee) {
             const Vec2f u = owen_sobol(i, 5);
             const float z = 2 * u.x - 1, r = std::sqrt(1 - z * z), phi = 2 * kPi * u.y;
             const Vec3f d(r * std::cos(phi), r * std::sin(phi), z);
-            const auto hit = tracer.closest(dome.view.centre, d, dome.view.hidden);
+            const auto hit = tracer.closest(dome.view.centre, d, 0, kInfinitelyFar, dome.view.hidden);
             ASSERT_TRUE(hit);
             const Color3f expected = light.radiance(*hit), found = map.radiance(d * map.world_to_light());
             if (std::abs(hit->uv.x - 0.5f) > 0.47f || std::abs(hit->uv.y - 0.5f) > 0.45f) continue;  // the map's seam and poles

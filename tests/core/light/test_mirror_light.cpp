@@ -227,11 +227,11 @@ TEST(MirrorLight, ScalesItsRadiance) {
 TEST(MirrorLight, SeesTheSkyOnlyIfThePictureHoldsIt) {
     AovFrame frame = furnished_room().render(mirrored(room_camera(), floor_mirror().plane), kWidth, kHeight);
     Image &position = frame.layers[Role::position], &beauty = frame.layers[Role::beauty];
-    std::vector<size_t> sky;
+    std::vector<size_t> outside;
     for (size_t i = 0; i < position.pixel_count(); ++i)
-        if (position.at(i)[1] > 3.99f) sky.push_back(i), std::fill_n(position.at(i), 3, 0.0f);
+        if (position.at(i)[1] > 3.99f) outside.push_back(i), std::fill_n(position.at(i), 3, 0.0f);
     const auto fill = [&](float value) {
-        for (const size_t i : sky) std::fill_n(beauty.at(i), 3, value);
+        for (const size_t i : outside) std::fill_n(beauty.at(i), 3, value);
     };
     const Vec3f p(-0.5f, 1, 0), d = (p - frame.camera->centre).normalized();
     fill(0);
