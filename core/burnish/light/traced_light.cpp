@@ -29,16 +29,17 @@ Color3f seen(const LitScene& scene, const Hit& hit, const Vec3f& d, float sigma)
 /// The sums of a cone, from its rays and from the lamps' points.
 class ConeSum {
 public:
-    ConeSum(const Cone& cone, int rays) : m_cone(cone), m_rays(static_cast<float>(rays)) {}
+    ConeSum(const Cone& cone, const RayBundle& bundle)
+        : m_cone(cone), m_bundle(bundle), m_rays(static_cast<float>(bundle.places().size())) {}
 
     void miss() { m_darkest = 0; }
 
-    /// `lamps`: density of the lamps' points there, per steradian. `part`: square width of a ray's part of the cone.
-    void add_ray(const Vec3f& d, const Color3f& radiance, float nearness, float lamps, float part) {
+    /// Ray i, towards d. `lamps`: density of the lamps' points there, per steradian.
+    void add_ray(size_t i, const Vec3f& d, const Color3f& radiance, float nearness, float lamps) {
         float share = 1 / m_rays;
         if (lamps > 0) {
-            const float g = m_cone.density(m_cone.squares(d) + Vec2f(2 * part));
-            share = g / (m_rays * g + lamps);
+            const float g = m_cone.density(m_cone.squares(d)), own = std::exp(-0.5f * m_bundle.places()[i].length2());
+            share *= m_bundle.mean_share(i, lamps * own / (m_rays * g));
         }
         add(radiance * share, nearness);
         const float whole = luminance(radiance) * share * m_rays;
@@ -47,8 +48,8 @@ public:
 
     void add_lamp(const SeenLamp& lamp) {
         const Vec2f squares = m_cone.squares(lamp.d);
-        const float g = m_cone.density(squares);
-        const Color3f light = lamp.radiance * (g / (m_rays * g + lamp.density));
+        const float g = m_cone.density(squares), rays = m_rays * g, points = lamp.density;
+        const Color3f light = lamp.radiance * (g * points / (rays * rays + points * points));
         add(light, lamp.nearness);
         m_bend += luminance(light) * (1 + squares.x);
     }
@@ -71,6 +72,7 @@ private:
     }
 
     const Cone& m_cone;
+    const RayBundle& m_bundle;
     float m_rays, m_cover = 0, m_bend = 0, m_nearness = 0, m_weight = 0;
     float m_darkest = std::numeric_limits<float>::infinity(), m_brightest = 0;
     Color3f m_radiance{0, 0, 0};
@@ -92,17 +94,16 @@ void TracedLight::lookup(std::span<const LightRay> rays, std::span<Incident> out
 Incident TracedLight::averaged(TracedStart& start, const LightRay& ray) const {
     const Cone cone(ray.d, start.up(), std::max(ray.sigma, kLeastSigma));
     const Lamps& lamps = m_scene->lamps();
-    const float part2 = m_bundle.part() * m_bundle.part();
-    ConeSum sum(cone, static_cast<int>(m_bundle.places().size()));
-    for (const Vec2f& place : m_bundle.places()) {
-        const Vec3f d = cone.direction(place);
+    ConeSum sum(cone, m_bundle);
+    for (size_t i = 0; i < m_bundle.places().size(); ++i) {
+        const Vec3f d = cone.direction(m_bundle.places()[i]);
         const auto hit = m_scene->tracer().closest(start.origin(), d);
         if (!hit) {
             sum.miss();
             continue;
         }
         const float density = lamps.density(*hit) * hit->distance * hit->distance / std::abs(hit->ng.dot(d));
-        sum.add_ray(d, seen(*m_scene, *hit, d, m_bundle.part() * cone.sigma()), 1 / hit->distance, density, part2);
+        sum.add_ray(i, d, seen(*m_scene, *hit, d, m_bundle.part() * cone.sigma()), 1 / hit->distance, density);
     }
     for (const SeenLamp& lamp : start.lamps()) sum.add_lamp(lamp);
     return sum.result(m_gain);
