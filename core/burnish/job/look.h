@@ -4,6 +4,8 @@
 #include <burnish/input/frame.h>
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
+#include <burnish/material/diffuse_reflectance.h>
+#include <burnish/shading/local_prediction.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/predictor.h>
@@ -22,7 +24,7 @@ struct Wardrobe {
     std::vector<AssignRule> rules;  // the whole-frame material first, so that every other rule wins over it
     std::vector<Material> materials;
     std::vector<Material> old_materials;  // mode difference only
-    std::vector<Color3f> kd;
+    std::vector<DiffuseReflectance> kd;
     std::vector<std::string> warnings;  // materials that create energy
 };
 
@@ -35,6 +37,7 @@ struct ReadyMaterial {
     std::optional<MaterialShader> distant;
     std::optional<BandwidthPredictor> distant_predictor;  // sparse shading only
     std::shared_ptr<const MaterialTaps> taps;
+    std::shared_ptr<const MaterialProbes> probes;  // sparse shading only
 };
 
 /// Wardrobe and lights, ready to shade. Entry i of the lists belongs to rule i; rules of one material share it.
@@ -42,12 +45,11 @@ struct Look {
     Wardrobe wardrobe;
     Rig rig;
     std::vector<std::shared_ptr<const ReadyMaterial>> materials, old_materials;
-    bool is_sparse = false;
 };
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig);
 
-/// What shades the looks of a frame: entry i belongs to look i. Predictors are there where all looks are shaded sparsely.
+/// What shades the looks of a frame: entry i belongs to look i. Predictors: sparse shading only.
 struct Equipment {
     std::vector<MaterialShader> shaders, old_shaders;
     std::vector<BandwidthPredictor> predictors, old_predictors;
