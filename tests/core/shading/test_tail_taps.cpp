@@ -18,8 +18,8 @@ Environment lamp(const Vec3f& d) {
     const Matrix33f to_world = light_of(image).world_to_light().transposed();
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            const float theta = kPi * (y + 0.5f) / 256,
-                        phi = kPi * (256 - x - 0.5f) / 256;  // openexr.com, latitude-longitude maps
+            const float theta = kPi * (y + 0.5f) / 128,
+                        phi = kPi * (128 - x - 0.5f) / 128;  // openexr.com, latitude-longitude maps
             const Vec3f at(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
             if ((at * to_world).dot(d) > std::cos(kLampRadius)) std::fill_n(image.at(x, y), 3, kLampRadiance);
         }
