@@ -15,7 +15,7 @@ std::optional<LobeTaps> taps_of(const LobeParameters& lobe, const DensitySetting
     EstimatorSettings estimator;
     estimator.samples = settings.directions > 0 ? settings.directions : kPredictionTaps;
     if (!TapTable::covers(lobe, estimator.samples)) return {};
-    return LobeTaps(lobe, estimator);
+    return LobeTaps(lobe, estimator, false);
 }
 
 /// One ray a pixel along the mirrored view, as wide as the lobe's image is across.
