@@ -98,7 +98,7 @@ def test_bake_writes_what_it_names_and_a_shot_that_runs(cli, scene, tmp_path):
     layers = scenes.read_exr(out / "out.exr")
     block = scenes.read_exr(out / "shot.exr")["ViewLayer.IndexOB.X"] == 3
     assert block.sum() > 100
-    assert layers["burnish_spec.R"][block].mean() > 0.2 and layers["burnish_spec.R"][~block].max() == 0
+    assert layers["burnish_spec.R"][block].mean() > 0.05 and layers["burnish_spec.R"][~block].mean() < 1e-3
 
 
 def test_a_mirror_holds_what_its_pixels_reflect(cli, scene, tmp_path):
@@ -128,10 +128,11 @@ def test_distances_of_a_cube_map_are_those_to_the_walls(cli, scene, tmp_path):
     d = np.concatenate([np.stack(face, -1) for face in faces])
     d = np.stack([d[..., 0], -d[..., 2], d[..., 1]], -1) / np.linalg.norm(d, axis=-1, keepdims=True)
     seen, free = to_wall(centre, d)
-    free &= seen[..., 2] > 0  # the floor is what the map is made for
+    free &= seen[..., 2] > 1e-6  # the floor is what the map is made for
     assert free.sum() > 3000
     assert np.abs(cube["Z"] - np.linalg.norm(seen - centre, axis=-1))[free].max() < 2e-3
-    assert (cube["A"][free] == 1).all() and (cube["R"][free] > 0.05).all()
+    above = free & (seen[..., 2] > 0.2)
+    assert (cube["A"][above] == 1).all() and (cube["R"][above] > 0.01).all()
 
 
 def test_threads_do_not_change_a_byte(cli, scene, tmp_path):
@@ -168,7 +169,7 @@ def test_a_signal_stops_the_bake_with_whole_files_only(scene, tmp_path):
 @pytest.mark.parametrize("flags, name, part", [
     (["--cube", "blok"], "E_BAD_ARGUMENT", 'did you mean "block"'),
     (["--cube", "block"], "E_BAD_ARGUMENT", "two pictures"),
-    (["--mirror", "lamp"], "E_BAD_ARGUMENT", "sees no front"),
+    (["--mirror", "lamb"], "E_BAD_ARGUMENT", 'did you mean "lamp"'),
     (["--mirror", "floor=1,2"], "E_USAGE", "expected 6 numbers"),
     (["--cube", "block=1,x,2"], "E_USAGE", "expected numbers"),
     (["--size", "64"], "E_USAGE", "WIDTHxHEIGHT"),
@@ -203,6 +204,12 @@ def psnr(image, reference, mask):
     return -10 * np.log10(np.mean(error[mask] ** 2))
 
 
+def away_from_edges(luminance):
+    """Pixels like all of their neighbours: Cycles took one point of each pixel, and the bake its mean."""
+    windows = np.lib.stride_tricks.sliding_window_view(np.pad(luminance, 1, mode="edge"), (3, 3))
+    return windows.max((2, 3)) < 1.3 * windows.min((2, 3))
+
+
 def rgb(path, prefix):
     return scenes.stacked(scenes.read_exr(path), *(prefix + c for c in "RGB"))
 
@@ -223,7 +230,7 @@ def test_a_cube_map_of_the_cycles_room_is_what_cycles_renders(cli, data, tmp_pat
     rendered = [rgb(folder / f"cube_{face}.exr", "ViewLayer.Combined.") for face in ("px", "nx", "pz", "nz", "ny", "py")]
     rendered = np.stack(rendered)
     quality = psnr(baked, rendered, np.ones(baked.shape[:3], bool))
-    assert quality > 30, quality
+    assert quality > 38, quality
 
 
 def test_a_mirror_of_the_cycles_room_is_what_cycles_renders(cli, data, tmp_path):
@@ -234,5 +241,6 @@ def test_a_mirror_of_the_cycles_room_is_what_cycles_renders(cli, data, tmp_path)
     assert same.mean() > 0.99
     place = [scenes.stacked(file, *(f"ViewLayer.Position.{c}" for c in "XYZ")) for file in (baked, rendered)]
     assert np.median(np.abs(place[0] - place[1])[same]) < 1e-4
-    quality = psnr(rgb(tmp_path / "mirror_floor.exr", "ViewLayer.Combined."), rgb(folder / "mirror.exr", "ViewLayer.Combined."), same)
-    assert quality > 30, quality
+    light = [scenes.stacked(file, *(f"ViewLayer.Combined.{c}" for c in "RGB")) for file in (baked, rendered)]
+    quality = psnr(*light, same & away_from_edges(light[1].mean(2)))
+    assert quality > 40, quality

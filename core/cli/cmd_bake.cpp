@@ -88,7 +88,8 @@ BakeJob job_of(const Options& options) {
     if (!document.is_object()) return bake_job_from_json(document, options.scene, folder);
     json flags = options.values;
     for (const char* file : {"output", "camera"})
-        if (flags.contains(file)) flags[file] = std::filesystem::absolute(flags[file].get<std::string>()).string();
+        if (flags.contains(file) && !flags[file].get_ref<const std::string&>().starts_with('{'))
+            flags[file] = std::filesystem::absolute(flags[file].get<std::string>()).string();
     document.update(flags);
     return bake_job_from_json(document, options.scene, folder);
 }
@@ -133,7 +134,7 @@ void add_pictures(CLI::App& command, json& values) {
         };
         command.add_option_function<std::vector<std::string>>(flag, all, help)->type_name(type)->allow_extra_args(false);
     };
-    text("--camera", "JSON file with the camera of the AOVs and mirrors", "FILE",
+    text("--camera", "camera of the AOVs and mirrors, a JSON file or the JSON itself", "FILE",
          [&](const std::string& f) { values["camera"] = f; });
     text("--size", "of AOVs and mirrors in pixels [1920x1080]", "WxH", [&](const std::string& s) { set_size(values, s); });
     each("--cube", "cube map around an object (* and ? allowed: one for each), or from a point in scene units", "NAME[=X,Y,Z]",
@@ -176,7 +177,8 @@ Run add_bake(CLI::App& app) {
         app.add_subcommand("bake", "Bakes a scene into cube maps, mirror pictures and AOVs, and writes a shot that uses them");
     auto options = std::make_shared<Options>();
     json& values = options->values;
-    command->add_option("SCENE", options->scene, "glTF or OBJ, or a JSON file that says all of this, flags having the last word")
+    command
+        ->add_option("SCENE", options->scene, "glTF or OBJ, or a JSON file that says all of this, flags having the last word")
         ->required();
     command
         ->add_option_function<std::string>(

@@ -126,7 +126,7 @@ void print_json(const Result& result) {
 
 void print_text(const Result& result) {
     double total = 0;
-    for (const auto& [name, what] : all_files(result)) std::printf("%-24s %s\n", result.file(name).c_str(), what);
+    for (const auto& [name, what] : all_files(result)) std::printf("%-24s %s\n", result.file(name).c_str(), what.c_str());
     std::printf("\n");
     for (const auto& [stage, seconds] : all_seconds(result)) {
         std::printf("%-16s %6.2f s\n", stage.c_str(), seconds);

@@ -36,6 +36,13 @@ std::string file_from(const std::string& text, const std::filesystem::path& base
     return text.empty() || base.empty() ? text : (base / text).string();
 }
 
+/// The JSON itself, or a file.
+std::string camera_from(const JsonFields& fields, const std::filesystem::path& base) {
+    if (fields.at("camera").is_object()) return fields.at("camera").dump();
+    const std::string camera = fields.text("camera");
+    return camera.starts_with('{') ? camera : file_from(camera, base);
+}
+
 UpAxis up_from(const JsonFields& fields) {
     const std::string up = fields.name("up", kUps);
     return up == "z" ? UpAxis::z : up == "y" ? UpAxis::y : UpAxis::automatic;
@@ -101,8 +108,7 @@ BakeJob bake_job_from_json(const json& document, const std::string& where, const
     if (fields.has("up")) job.up = up_from(fields);
     job.texcoord = whole(fields, "texcoord", kSets, 0);
     if (fields.has("light_maps")) set_light_maps(job, fields.at("light_maps"), fields.path("light_maps"), base);
-    if (fields.has("camera"))
-        job.camera = fields.at("camera").is_object() ? fields.at("camera").dump() : file_from(fields.text("camera"), base);
+    if (fields.has("camera")) job.camera = camera_from(fields, base);
     if (fields.has("size")) set_size(job, fields.at("size"), fields.path("size"));
     job.cubes = list(fields, "cubes", cube_from_json), job.mirrors = list(fields, "mirrors", mirror_from_json);
     job.panes = fields.text("panes");

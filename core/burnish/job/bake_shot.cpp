@@ -47,14 +47,34 @@ std::vector<std::string> chain_of(const BakePlan& plan, size_t object) {
     return chain;
 }
 
+/// A pattern that matches this name alone.
+std::string literal(const std::string& name) {
+    std::string pattern;
+    for (const char c : name) {
+        if (c == ',' || c == '*' || c == '?' || c == '\\') pattern += '\\';
+        pattern += c;
+    }
+    return pattern;
+}
+
+/// One rule for all objects of one look, so that pixels between two of them are covered wholly.
 ordered_json rules(const BakePlan& plan, const Scene& scene) {
-    ordered_json rules = ordered_json::array();
+    std::vector<std::pair<ordered_json, std::string>> looks;  // and who has it
     for (size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (std::ranges::find(presets(), object.material, &Material::name) == presets().end()) continue;
-        ordered_json rule = {{"material", object.material}, {"cryptomatte", object.name}};
-        if (const auto chain = chain_of(plan, i); !chain.empty()) rule["light"] = chain;
-        if (std::ranges::find(rules, rule) == rules.end()) rules.push_back(std::move(rule));
+        ordered_json look = {{"material", object.material}, {"cryptomatte", ""}};
+        if (const auto chain = chain_of(plan, i); !chain.empty()) look["light"] = chain;
+        const auto known = std::ranges::find(looks, look, &std::pair<ordered_json, std::string>::first);
+        if (known == looks.end())
+            looks.emplace_back(std::move(look), literal(object.name));
+        else
+            known->second += "," + literal(object.name);
+    }
+    ordered_json rules = ordered_json::array();
+    for (auto& [look, names] : looks) {
+        look["cryptomatte"] = names;
+        rules.push_back(std::move(look));
     }
     return rules;
 }
