@@ -25,9 +25,9 @@ struct Pixels {
     void set(const SurfaceBatch& batch, size_t i, const AngularPrediction& angular, const PathBandwidth& path) const {
         const size_t pixel = batch.pixel[i];
         const float c = curvature.at(pixel), d = (curvature.eye() - batch.p[i]).length();
-        const float shear = angular.nearness * d;  // a pixel's step across the ray is pixel_angle d, seen along it or reflected
-        const float turn = curvature.pixel_angle() * (reflection_turn(c, batch.n[i].dot(batch.wo[i]), d) + shear);
-        const float nu_a = angular.nu_a * kNyquist, b = nu_a * turn;
+        const float turn = curvature.pixel_angle() * reflection_turn(c, batch.n[i].dot(batch.wo[i]), d);
+        const float shear = angular.nearness * curvature.pixel_angle() * d;
+        const float nu_a = angular.nu_a * kNyquist, b = nu_a * (turn + shear);
         *layers.curvature.at(pixel) = c;
         *layers.nu_a.at(pixel) = nu_a, *layers.bandwidth.at(pixel) = b;
         *layers.level.at(pixel) = shading_level(b, layers.level.width, layers.level.height);

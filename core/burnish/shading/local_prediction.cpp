@@ -41,13 +41,12 @@ void add_by_mirrored_view(const MaterialProbes::Lobe& probes, const LightChain& 
 
 }  // namespace
 
-MaterialProbes::MaterialProbes(const Material& material, const DensitySettings& settings) {
+MaterialProbes::MaterialProbes(const Material& material, const DensitySettings& settings) : safety(settings.safety) {
     for (const LobeParameters& lobe : material.lobes) lobes.push_back({lobe, taps_of(lobe, settings), AlbedoCurve(lobe)});
 }
 
-LocalPrediction::LocalPrediction(std::shared_ptr<const MaterialProbes> probes, LightChain lights,
-                                 const DensitySettings& settings)
-    : m_probes(std::move(probes)), m_lights(std::move(lights)), m_safety(settings.safety) {
+LocalPrediction::LocalPrediction(std::shared_ptr<const MaterialProbes> probes, LightChain lights)
+    : m_probes(std::move(probes)), m_lights(std::move(lights)) {
     float albedo = 0;
     for (const MaterialProbes::Lobe& lobe : m_probes->lobes) albedo += lobe.albedo.typical();
     m_exposure = kDisplayMean / std::max(albedo * mean_luminance(m_lights), 1e-20f);
@@ -70,7 +69,7 @@ void LocalPrediction::predict(const SurfaceBatch& batch, std::span<AngularPredic
     for (size_t i = 0; i < batch.size(); ++i)
         out[i].nearness = nearness[i] / std::max(nearness_weight(luminance(sums.overlay[i]), sums.bend[i]), 1e-20f);
     for (const MaterialProbes::Lobe& probes : m_probes->lobes) add_discs(probes, batch, sums.bend);
-    sums.set_frequencies(m_exposure, m_safety, out);
+    sums.set_frequencies(m_exposure, m_probes->safety, out);
 }
 
 void LocalPrediction::add_discs(const MaterialProbes::Lobe& probes, const SurfaceBatch& batch, std::span<float> bend) const {

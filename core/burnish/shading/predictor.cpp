@@ -31,11 +31,10 @@ BandwidthPredictor::BandwidthPredictor(const Material& material, const Environme
     for (const LobeParameters& lobe : material.lobes) note(lobe);
 }
 
-BandwidthPredictor::BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights,
-                                       const DensitySettings& settings)
+BandwidthPredictor::BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights)
     : m_asks_rays(true), m_is_near(lights.is_near()) {
     for (const MaterialProbes::Lobe& own : probes->lobes) note(own.lobe);
-    m_variant = std::make_shared<Variant>(Variant{LocalPrediction(std::move(probes), std::move(lights), settings)});
+    m_variant = std::make_shared<Variant>(Variant{LocalPrediction(std::move(probes), std::move(lights))});
 }
 
 void BandwidthPredictor::note(const LobeParameters& lobe) {

@@ -38,7 +38,7 @@ public:
     BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings);
 
     /// Under any lights, by `curvature`. `probes`: of the material, see MaterialProbes.
-    BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights, const DensitySettings& settings);
+    BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights);
 
     /// Sets out[i] for pixel i of the batch, safety included. Thread-safe; the same pixel gives the same bits in whatever batch
     /// it comes.
