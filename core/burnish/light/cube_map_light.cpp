@@ -3,6 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/light/environment_picture.h>
 #include <burnish/light/gaussian_stack.h>
+#include <burnish/light/light_mean.h>
 #include <burnish/light/stack_lookup.h>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ void look_up_ends(const Environment& map, std::span<const LightRay> rays, std::s
     const GaussianStack& stack = map.gaussian_stack();
     std::vector<StackPlace> places(ends.size());
     for (size_t k = 0; k < ends.size(); ++k)
-        places[k] = {ends[k].from_centre * map.world_to_light(), stack.level(rays[ends[k].ray].sigma * turns[k].width)};
+        places[k] = {ends[k].from_centre * map.world_to_light(), stack.quick_level(rays[ends[k].ray].sigma * turns[k].width)};
     rgba.resize(ends.size());
     look_up(stack.stack(), places, {1, 1, 1, 1}, rgba);
 }
@@ -87,6 +88,10 @@ void CubeMapLight::lookup(std::span<const LightRay> rays, std::span<Incident> ou
         sum.bend += bend_gain * light[k][3] * turns[k].bend * end.share;
         sum.nearness += end.share / std::max(end.distance, 1e-6f);
     }
+}
+
+float CubeMapLight::mean_luminance() const {
+    return luminance(m_picture.gain()) * burnish::mean_luminance(m_picture.gaussian_stack().stack());
 }
 
 RayEnd CubeMapLight::end_of(const LightRay& ray) const {
