@@ -91,7 +91,7 @@ void CubeMapLight::lookup(std::span<const LightRay> rays, std::span<Incident> ou
 }
 
 float CubeMapLight::mean_luminance() const {
-    return luminance(m_picture.gain()) * burnish::mean_luminance(m_picture.gaussian_stack().stack());
+    return luminance(m_picture.gain()) * display_mean_luminance(m_picture.gaussian_stack().stack());
 }
 
 RayEnd CubeMapLight::end_of(const LightRay& ray) const {

@@ -27,7 +27,7 @@ Color3f seen(const LitScene& scene, const Hit& hit, const Vec3f& d, float sigma)
     return scene.light().radiance(hit, kDiscOfSigma * sigma * hit.distance / std::sqrt(cosine));
 }
 
-/// Mean luminance of what rays meet that start all over the middle half of the scene's box, in all directions.
+/// Mean luminance, as a display weighs it (light_mean.h), of what rays meet that start all over the middle half of the scene's box, in all directions.
 float mean_of(const LitScene& scene) {
     constexpr uint32_t kRays = 1024;
     const Imath::Box3f& box = scene.box();
@@ -37,9 +37,9 @@ float mean_of(const LitScene& scene) {
         const float z = 1 - 2 * at.x, phi = 2 * kPi * at.y, r = std::sqrt(1 - z * z);
         const Vec3f place = Vec3f(across.x, across.y, at.x) * 0.5f + Vec3f(0.25f);
         const auto hit = scene.tracer().closest(box.min + box.size() * place, {r * std::cos(phi), r * std::sin(phi), z});
-        if (hit) sum += luminance(scene.light().radiance(*hit)), met += 1;
+        if (hit) sum += std::sqrt(luminance(scene.light().radiance(*hit))), met += 1;
     }
-    return met > 0 ? sum / met : 0.0f;
+    return met > 0 ? (sum / met) * (sum / met) : 0.0f;
 }
 
 /// The sums of a cone, from its rays and from the lamps' points.
