@@ -3,6 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/light/environment_picture.h>
 #include <burnish/light/gaussian_stack.h>
+#include <burnish/light/light_mean.h>
 #include <burnish/light/stack_lookup.h>
 #include <burnish/scene/load_scene.h>
 
@@ -56,7 +57,7 @@ void look_up_cones(const Environment& map, std::span<const SeenCone> cones, std:
     const GaussianStack& stack = map.gaussian_stack();
     std::vector<StackPlace> places;
     for (const SeenCone& cone : cones) {
-        const float level = stack.level(cone.sigma);
+        const float level = stack.quick_level(cone.sigma);
         places.push_back({(cone.middle + cone.apart) * map.world_to_light(), level});
         if (!cone.is_one()) places.push_back({(cone.middle - cone.apart) * map.world_to_light(), level});
     }
@@ -110,6 +111,10 @@ void CubeMapLight::lookup(std::span<const LightRay> rays, std::span<Incident> ou
         const float sigma = rays[ends[k].ray].sigma;
         sum.bend += kShareBend / (sigma * sigma) * std::fabs(luminance(own - sum.radiance));
     }
+}
+
+float CubeMapLight::mean_luminance() const {
+    return luminance(m_picture.gain()) * display_mean_luminance(m_picture.gaussian_stack().stack());
 }
 
 RayEnd CubeMapLight::end_of(const LightRay& ray) const {

@@ -30,6 +30,8 @@ public:
     /// The map's bright parts, met from p. Draws that p does not see are lost: their pdf is 0.
     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
 
+    float mean_luminance() const;
+
     const Environment& picture() const { return m_picture; }
     const Vec3f& centre() const { return m_centre; }
 

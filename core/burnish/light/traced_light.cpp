@@ -1,6 +1,7 @@
 #include <burnish/light/traced_light.h>
 
 #include <burnish/base/error.h>
+#include <burnish/sampling/sequence.h>
 
 #include <algorithm>
 #include <optional>
@@ -24,6 +25,21 @@ int checked(int rays) {
 Color3f seen(const LitScene& scene, const Hit& hit, const Vec3f& d, float sigma) {
     const float cosine = std::max(std::abs(hit.ng.dot(d)), kLeastCosine);
     return scene.light().radiance(hit, kDiscOfSigma * sigma * hit.distance / std::sqrt(cosine));
+}
+
+/// Mean luminance, as a display weighs it (light_mean.h), of what rays meet that start all over the middle half of the scene's box, in all directions.
+float mean_of(const LitScene& scene) {
+    constexpr uint32_t kRays = 1024;
+    const Imath::Box3f& box = scene.box();
+    float sum = 0, met = 0;
+    for (uint32_t i = 0; i < kRays; ++i) {
+        const Vec2f at = owen_sobol(i, 1), across = owen_sobol(i, 2);
+        const float z = 1 - 2 * at.x, phi = 2 * kPi * at.y, r = std::sqrt(1 - z * z);
+        const Vec3f place = Vec3f(across.x, across.y, at.x) * 0.5f + Vec3f(0.25f);
+        const auto hit = scene.tracer().closest(box.min + box.size() * place, {r * std::cos(phi), r * std::sin(phi), z});
+        if (hit) sum += std::sqrt(luminance(scene.light().radiance(*hit))), met += 1;
+    }
+    return met > 0 ? (sum / met) * (sum / met) : 0.0f;
 }
 
 /// The sums of a cone, from its rays and from the lamps' points.
@@ -81,7 +97,7 @@ private:
 }  // namespace
 
 TracedLight::TracedLight(std::shared_ptr<const LitScene> scene, int rays, const Color3f& gain)
-    : m_scene(std::move(scene)), m_bundle(checked(rays)), m_gain(gain) {}
+    : m_scene(std::move(scene)), m_bundle(checked(rays)), m_gain(gain), m_mean(mean_of(*m_scene)) {}
 
 void TracedLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
     std::optional<TracedStart> start;

@@ -30,12 +30,16 @@ public:
     /// Towards the scene's lamps.
     LightDraw sample(const Vec3f& p, const Vec2f& u) const { return m_scene->lamps().sample(p, u); }
 
+    /// Of what rays from inside the scene's box meet.
+    float mean_luminance() const { return m_mean * luminance(m_gain); }
+
 private:
     Incident averaged(TracedStart& start, const LightRay& ray) const;
 
     std::shared_ptr<const LitScene> m_scene;
     RayBundle m_bundle;
     Color3f m_gain;
+    float m_mean;
 };
 
 }  // namespace burnish

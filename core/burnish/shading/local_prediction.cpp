@@ -56,7 +56,7 @@ void LocalPrediction::predict(const SurfaceBatch& batch, std::span<AngularPredic
     BendSums sums(batch.size());
     std::vector<float> nearness(batch.size(), 0.0f), samples(batch.size());
     const LocalSums local{sums.overlay, samples, {}, sums.bend, nearness};
-    std::fill(out.begin(), out.end(), AngularPrediction{0, 2 * kPi, 0, 0});
+    std::fill(out.begin(), out.end(), AngularPrediction{0, 2 * kPi, 0, 0, 0});
     for (const MaterialProbes::Lobe& probes : m_probes->lobes) {
         sums.add_lobe(batch, probes.albedo, [&] {
             if (probes.taps)
