@@ -17,6 +17,7 @@ using nlohmann::json;
 namespace {
 
 constexpr int kDeepestNode = 256;
+constexpr double kStrongest = 1e9;
 constexpr double kMostElements = 1 << 28;  // vertices and corners of triangles
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem) {
@@ -123,7 +124,7 @@ void check_sizes(const std::string& file, const json& document) {
 GltfMaterial material_of(const json& material) {
     GltfMaterial result;
     const json& strength = member(member(material, "extensions"), "KHR_materials_emissive_strength");
-    result.emissive_strength = static_cast<float>(number(member(strength, "emissiveStrength"), 1));
+    result.emissive_strength = static_cast<float>(std::clamp(number(member(strength, "emissiveStrength"), 1), 0.0, kStrongest));
     result.pass_index = pass_index(number(member(member(material, "extras"), "pass_index"), -1));
     return result;
 }

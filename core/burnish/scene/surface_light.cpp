@@ -41,9 +41,12 @@ struct SurfaceLight::Pyramids {
 
 SurfaceLight::SurfaceLight(const Scene& scene, LightMaps maps) : m_scene(&scene) {
     checked(maps.radiance, "radiance"), checked(maps.irradiance, "irradiance"), checked(maps.albedo, "albedo");
-    m_pyramids = std::make_shared<Pyramids>(Pyramids{MapPyramid(std::move(maps.radiance), maps.halvings),
-                                                     MapPyramid(std::move(maps.irradiance), maps.halvings),
-                                                     MapPyramid(std::move(maps.albedo), maps.halvings)});
+    const int largest = std::max({maps.radiance.width, maps.irradiance.width, maps.albedo.width, 1});
+    const auto pyramid = [&](Image& map) {
+        const float smaller = std::log2(static_cast<float>(largest) / static_cast<float>(std::max(map.width, 1)));
+        return MapPyramid(std::move(map), maps.halvings - static_cast<int>(std::lround(smaller)));
+    };
+    m_pyramids = std::make_shared<Pyramids>(Pyramids{pyramid(maps.radiance), pyramid(maps.irradiance), pyramid(maps.albedo)});
 }
 
 Color3f SurfaceLight::radiance(const Hit& hit, float diameter) const {

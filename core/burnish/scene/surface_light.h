@@ -13,8 +13,8 @@ struct LightMaps {
     Image radiance = {};    // what leaves the surface's front, emission included; empty = from irradiance
     Image irradiance = {};  // irradiance / pi; empty = none
     Image albedo = {};      // diffuse reflectance; empty = the objects' own
-    /// How often a map may be halved for wide lookups. Light maps are atlases with few texels between their charts: a map
-    /// halved n times mixes what lies 1.5 * 2^n texels apart.
+    /// How often the largest map may be halved for wide lookups; smaller ones stop at the same size. Light maps are atlases with
+    /// few texels between their charts: a map halved n times mixes what lies 1.5 * 2^n texels apart.
     int halvings = 2;
 };
 

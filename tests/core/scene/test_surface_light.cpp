@@ -97,6 +97,8 @@ TEST(SurfaceLight, SaysHowWideItsLookupsReach) {
     const Scene scene = square();
     const Tracer tracer(scene);
     EXPECT_NEAR(SurfaceLight(scene, {.radiance = ramp(), .halvings = 2}).widest(hit_at(tracer, 0, 0)), 8 * 4.0f / kSize, 1e-5f);
+    const SurfaceLight smaller(scene, {.irradiance = Image(kSize / 2, kSize / 2, 3), .albedo = ramp()});
+    EXPECT_NEAR(smaller.widest(hit_at(tracer, 0, 0)), 4 * 4.0f / (kSize / 2), 1e-5f);
     EXPECT_EQ(SurfaceLight(scene, {}).widest(hit_at(tracer, 0, 0)), 0);
 }
 
