@@ -1,6 +1,6 @@
 // A floor that mirrors a room: the few-sample estimators against Cycles, and against thousands of samples of the same lights.
 //
-//     burnish_mirror_table DATA/cycles/room [--step 3]
+//     burnish_mirror_table DATA/cycles/room [--step 3] [--floor metal]
 //
 // Prints CSV. `polished`: varnish over Cycles' diffuse floor; `metal`, `anisotropic`: the overlay alone (Walkthrough 4.45); `cycles`:
 // the floor that Cycles rendered. `off`: without the second step. Edges: within 8 pixels of a depth edge of the mirrored render.
@@ -83,11 +83,12 @@ void print_row(const CyclesFloor& room, const Floor& floor, const Choice& choice
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string folder;
+    std::string folder, only;
     int step = 3, most = 8192;
     CLI::App app("Few-sample estimators on a mirror floor: prints CSV");
     app.add_option("folder", folder, "cycles/room of the test data")->required();
     app.add_option("--step", step, "every so manyth pixel and row");
+    app.add_option("--floor", only, "of the floors, this one");
     app.add_option("--samples", most, "of what counts as converged");
     CLI11_PARSE(app, argc, argv);
 
@@ -98,6 +99,7 @@ int main(int argc, char** argv) {
         "floor,estimator,asked,second_step,lookups,converged_db,converged_edges_db,cycles_db,cycles_edges_db,ns_pixel,ns_"
         "lookup");
     for (const Floor& floor : floors()) {
+        if (!only.empty() && floor.name != only) continue;
         const LightChain lights = room.chain(true);
         const std::vector<Color3f> converged = room.shaded({floor.name, Color3f(0), {floor.lobe}}, reference, lights);
         if (floor.name == "cycles")
