@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace burnish {
@@ -79,6 +80,14 @@ float JsonFields::number(std::string_view key, NumberRange range) const {
     const json& value = at(key);
     if (!holds(range, value)) fail_expected(path(key), "a number from " + shown(range), value);
     return value.get<float>();
+}
+
+int JsonFields::whole_number(std::string_view key, NumberRange range, int fallback) const {
+    if (!has(key)) return fallback;
+    const json& value = at(key);
+    if (!holds(range, value) || value.get<double>() != std::floor(value.get<double>()))
+        fail_expected(path(key), "a whole number from " + shown(range), value);
+    return value.get<int>();
 }
 
 Color3f JsonFields::color(std::string_view key, NumberRange range) const {

@@ -38,6 +38,7 @@ public:
     float number(std::string_view key, NumberRange range, float fallback) const {
         return has(key) ? number(key, range) : fallback;
     }
+    int whole_number(std::string_view key, NumberRange range, int fallback) const;
     /// A list of three numbers, or one number for all three.
     Color3f color(std::string_view key, NumberRange range) const;
     Color3f color(std::string_view key, NumberRange range, const Color3f& fallback) const {

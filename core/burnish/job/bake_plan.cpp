@@ -57,9 +57,9 @@ public:
         const std::string kind = mirror.behind ? "behind_" : "mirror_";
         const std::string name = kind + file_name(mirror.name.empty() ? mirror.object : mirror.name);
         PlannedMirror planned{
-            claimed(name), name + ".exr", {}, mirror.behind ? behind_view(frame, *plane) : mirror_view(frame, *plane)};
+            claimed(name), objects, {}, mirror.behind ? behind_view(frame, *plane) : mirror_view(frame, *plane)};
         planned.view.hidden = with_panes(objects);
-        planned.light.file = planned.file, planned.light.plane = {plane->point, plane->normal};
+        planned.light.file = name + ".exr", planned.light.plane = {plane->point, plane->normal};
         planned.light.behind = mirror.behind;
         mirrors.push_back(std::move(planned));
     }
@@ -77,7 +77,7 @@ private:
     void put(const std::string& name, const std::vector<int>& objects, const Vec3f& centre, std::vector<PlannedCube>& cubes) {
         const UpAxis up = m_job.up == UpAxis::z ? UpAxis::z : UpAxis::y;
         cubes.push_back(
-            {claimed("cube_" + file_name(name)), {centre, m_job.cube_size, m_job.samples, up, with_panes(objects)}});
+            {claimed("cube_" + file_name(name)), objects, {centre, m_job.cube_size, m_job.samples, up, with_panes(objects)}});
     }
 
     std::vector<int> with_panes(std::vector<int> objects) const {
@@ -91,12 +91,9 @@ private:
     }
 
     [[noreturn]] void refuse_unknown(const std::string& what, const std::string& pattern) const {
-        std::vector<std::string> names;
-        for (const Object& object : m_scene.objects) names.push_back(object.name);
-        const std::vector<std::string_view> known(names.begin(), names.end());
-        const std::string near(nearest_name(pattern, known));
-        refuse(what + " '" + pattern + "': no object of the scene has this name" +
-               (near.empty() ? "" : " (did you mean '" + near + "'?)"));
+        std::vector<std::string_view> known;
+        for (const Object& object : m_scene.objects) known.push_back(object.name);
+        refuse(what + " \"" + pattern + "\": no object of the scene has this name" + did_you_mean(pattern, known));
     }
 
     const BakeJob& m_job;

@@ -8,11 +8,13 @@
 namespace burnish {
 
 struct PlannedCube {
-    std::string name;  // of the light; cube_<name>.exr is its file
+    std::string name;          // of the light; <name>.exr is its file
+    std::vector<int> objects;  // that it is for
     CubeMapView view;
 };
 struct PlannedMirror {
-    std::string name, file;
+    std::string name;          // of the light; <name>.exr is its file
+    std::vector<int> objects;  // that it is for
     MirrorSettings light;
     View view;
 };

@@ -6,8 +6,10 @@
 #include <burnish/job/color_flow.h>
 #include <burnish/job/job_lights.h>
 #include <burnish/job/look.h>
+#include <burnish/scene/load_scene.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <set>
 
@@ -65,16 +67,47 @@ bool is_of_frame(const RigLight& light) {
     return mirror && (varies(mirror->file) || varies(mirror->camera));
 }
 
+/// An up axis left to burnish is the one of the frame's renderer.
+UpAxis settled(UpAxis up, Renderer renderer) {
+    return up == UpAxis::automatic && renderer == Renderer::cycles ? UpAxis::z : up;
+}
+
+/// Proxies of cube maps, by file: rooms have many maps and one mesh.
+using Meshes = std::map<std::string, std::shared_ptr<const Scene>>;
+
+Meshes load_meshes(const Rig& rig, const LightFrame& frame) {
+    Meshes meshes;
+    for (const RigLight& light : rig.lights)
+        if (const auto* map = light.as<CubeMapSettings>(); map && map->proxy.kind == ProxyKind::mesh) {
+            std::shared_ptr<const Scene>& mesh = meshes[map->proxy.mesh];
+            if (!mesh)
+                mesh = std::make_shared<const Scene>(load_scene(map->proxy.mesh, {settled(map->picture.up, frame.renderer)}));
+        }
+    return meshes;
+}
+
 /// Makes one light.
 struct LightMaker {
     const LightSettings& settings;
     const ColorFlow& color;
     const LightFrame& frame;
+    const Meshes& meshes;
     LightNotes told = {};
 
-    Light operator()(const CubeMapSettings&) const { throw Error(ErrorCode::bad_argument, "cubemap"); }
-    Light operator()(const AreaSettings&) const { throw Error(ErrorCode::bad_argument, "area"); }
-    Light operator()(const TracedSettings&) const { throw Error(ErrorCode::bad_argument, "traced"); }
+    Light operator()(CubeMapSettings map) {
+        map.picture.up = up(map.picture.up), map.picture.scale = settings.scale, map.picture.tint = settings.tint;
+        CubeMapLight light(map, conversion(), map.proxy.mesh.empty() ? nullptr : meshes.at(map.proxy.mesh));
+        light.picture().gaussian_stack();  // now, where lights are made side by side
+        tell(light.picture().notes(), light.picture().warnings());
+        return light;
+    }
+
+    Light operator()(const AreaSettings& area) const { return AreaLight::load(area, gain(), conversion()); }
+
+    Light operator()(TracedSettings traced) const {
+        traced.up = up(traced.up);
+        return TracedLight(std::make_shared<const LitScene>(traced, conversion()), traced.rays, gain());
+    }
 
     Light operator()(const MirrorSettings& mirror) {
         MirrorSettings of_frame = mirror;
@@ -86,6 +119,7 @@ struct LightMaker {
     }
 
 private:
+    UpAxis up(UpAxis given) const { return settled(given, frame.renderer); }
     Color3f gain() const { return settings.tint * settings.scale; }
 
     std::function<void(Image&)> conversion() const {
@@ -107,8 +141,8 @@ private:
 };
 
 /// Sets light.light; what it tells, and errors, begin with its name.
-LightNotes load(RigLight& light, const ColorFlow& color, const LightFrame& frame) {
-    LightMaker maker{*light.settings, color, frame};
+LightNotes load(RigLight& light, const ColorFlow& color, const LightFrame& frame, const Meshes& meshes) {
+    LightMaker maker{*light.settings, color, frame, meshes};
     try {
         light.light = std::make_shared<const Light>(std::visit(maker, light.settings->kind));
     } catch (const Error& error) {
@@ -130,12 +164,13 @@ void load_all(Rig& rig, const ColorFlow& color, const LightFrame& frame, const P
     std::vector<RigLight*> lights;
     for (RigLight& light : rig.lights)
         if (light.settings && !is_of_frame(light)) lights.push_back(&light);
+    const Meshes meshes = load_meshes(rig, frame);
     std::vector<LightNotes> told(lights.size());
     std::mutex reporting;
     size_t done = 0;
     for_each_index(static_cast<int>(lights.size()), [&](int index) {
         const auto i = static_cast<size_t>(index);
-        told[i] = load(*lights[i], color, frame);
+        told[i] = load(*lights[i], color, frame, meshes);
         const std::lock_guard lock(reporting);
         progress.report("lights", static_cast<float>(++done) / static_cast<float>(lights.size()));
     });
@@ -167,7 +202,7 @@ bool has_frame_lights(const Rig& rig) { return std::any_of(rig.lights.begin(), r
 LightNotes load_frame_lights(Rig& rig, const ColorFlow& color, const LightFrame& frame) {
     LightNotes told;
     for (RigLight& light : rig.lights)
-        if (is_of_frame(light)) append(load(light, color, frame), told.notes, told.warnings);
+        if (is_of_frame(light)) append(load(light, color, frame, {}), told.notes, told.warnings);
     return told;
 }
 

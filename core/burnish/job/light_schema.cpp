@@ -41,6 +41,9 @@ std::map<std::string_view, json> field_schemas() {
     const json plane = object_of({{"point", triple}, {"normal", triple}}, {"point", "normal"});
     const json color = {{"anyOf", {triple, number}}};
     return {{"centre", triple},
+            {"distances", names_of(kDistanceNames)},
+            {"rays", {{"type", "integer"}, {"minimum", 1}, {"maximum", 64}}},
+            {"texcoord", {{"type", "integer"}, {"minimum", 0}, {"maximum", 15}}},
             {"convention", names_of(kConventionNames)},
             {"up", names_of(kUpNames)},
             {"rotate", number},

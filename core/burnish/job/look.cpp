@@ -73,15 +73,19 @@ ReadyMaterials ready_materials(const Job& job, const Wardrobe& wardrobe, const s
     return ready;
 }
 
-void equip(const Rig& rig, const ReadyMaterials& materials, const std::vector<LitRule>& looks,
+void equip(const Look& look, const ReadyMaterials& materials, const std::vector<LitRule>& looks,
            std::vector<MaterialShader>& shaders, std::vector<BandwidthPredictor>& predictors) {
     if (materials.empty()) return;
-    for (const LitRule& look : looks) {
-        const ReadyMaterial& material = *materials[look.rule];
-        const bool distant = rig.is_distant(look.chain);
-        shaders.push_back(distant ? *material.distant : MaterialShader(material.taps, rig.chain(look.chain)));
-        if (distant && material.distant_predictor) predictors.push_back(*material.distant_predictor);
-        if (!distant && material.probes) predictors.emplace_back(material.probes, rig.chain(look.chain));
+    for (const LitRule& lit : looks) {
+        const ReadyMaterial& material = *materials[lit.rule];
+        if (look.rig.is_distant(lit.chain)) {
+            shaders.push_back(*material.distant);
+            if (material.distant_predictor) predictors.push_back(*material.distant_predictor);
+            continue;
+        }
+        const LightChain chain = look.rig.chain(lit.chain);
+        shaders.emplace_back(material.taps, chain);
+        if (material.probes) predictors.emplace_back(material.probes, chain);
     }
 }
 
@@ -93,7 +97,7 @@ Wardrobe prepare_wardrobe(const Job& job) {
     std::set<std::string> checked;
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
-        wardrobe.kd.push_back(material.kd);
+        wardrobe.kd.emplace_back(material);
         if (checked.insert(rule.material).second) warn_of_energy(rule.material, material, wardrobe.warnings);
         if (job.composite.mode == CompositeMode::difference)
             wardrobe.old_materials.push_back(resolve(job, old_name(job, rule.material)));
@@ -102,7 +106,7 @@ Wardrobe prepare_wardrobe(const Job& job) {
 }
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig) {
-    Look look{std::move(wardrobe), std::move(rig), {}, {}, is_sparse(job.density.density, job.estimator.kind)};
+    Look look{std::move(wardrobe), std::move(rig), {}, {}};
     look.materials = ready_materials(job, look.wardrobe, look.wardrobe.materials, look.rig);
     look.old_materials = ready_materials(job, look.wardrobe, look.wardrobe.old_materials, look.rig);
     return look;
@@ -110,8 +114,8 @@ Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig) {
 
 Equipment equip(const Look& look, const std::vector<LitRule>& looks) {
     Equipment equipment;
-    equip(look.rig, look.materials, looks, equipment.shaders, equipment.predictors);
-    equip(look.rig, look.old_materials, looks, equipment.old_shaders, equipment.old_predictors);
+    equip(look, look.materials, looks, equipment.shaders, equipment.predictors);
+    equip(look, look.old_materials, looks, equipment.old_shaders, equipment.old_predictors);
     return equipment;
 }
 

@@ -4,6 +4,7 @@
 #include <burnish/input/frame.h>
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
+#include <burnish/material/diffuse_reflectance.h>
 #include <burnish/shading/local_prediction.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/material_shader.h>
@@ -23,7 +24,7 @@ struct Wardrobe {
     std::vector<AssignRule> rules;  // the whole-frame material first, so that every other rule wins over it
     std::vector<Material> materials;
     std::vector<Material> old_materials;  // mode difference only
-    std::vector<Color3f> kd;
+    std::vector<DiffuseReflectance> kd;
     std::vector<std::string> warnings;  // materials that create energy
 };
 
@@ -44,12 +45,11 @@ struct Look {
     Wardrobe wardrobe;
     Rig rig;
     std::vector<std::shared_ptr<const ReadyMaterial>> materials, old_materials;
-    bool is_sparse = false;
 };
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig);
 
-/// What shades the looks of a frame: entry i belongs to look i. Predictors are there for sparse shading only.
+/// What shades the looks of a frame: entry i belongs to look i. Predictors: sparse shading only.
 struct Equipment {
     std::vector<MaterialShader> shaders, old_shaders;
     std::vector<BandwidthPredictor> predictors, old_predictors;

@@ -100,8 +100,8 @@ ShadedFrame shade(const AovFrame& frame, const Surfaces& surfaces, const Assignm
 }
 
 /// Of each look.
-std::vector<Color3f> kd_of(const Wardrobe& wardrobe, const std::vector<LitRule>& looks) {
-    std::vector<Color3f> kd;
+std::vector<DiffuseReflectance> kd_of(const Wardrobe& wardrobe, const std::vector<LitRule>& looks) {
+    std::vector<DiffuseReflectance> kd;
     for (const LitRule& look : looks) kd.push_back(wardrobe.kd[look.rule]);
     return kd;
 }
@@ -142,7 +142,7 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
         return Surfaces(shown, assignment, job.surface);
     });
     result.tally = tally_of(surfaces, lit.looks, std::move(selected));
-    const std::vector<Color3f> kd = kd_of(look.wardrobe, lit.looks);
+    const std::vector<DiffuseReflectance> kd = kd_of(look.wardrobe, lit.looks);
     const Equipment equipment = equip(look, lit.looks);
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
@@ -157,7 +157,7 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
     result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
     const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {
         if (fine || job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
-        if (!fine) return pixel_cover(frame, assignment, kd);
+        if (!fine) return pixel_cover(frame, surfaces, assignment, kd);
         return resolve_samples(job.antialias, frame, *fine, surfaces, assignment, kd, result, old);
     });
     result.composite = timed(seconds, "composite", [&] {

@@ -17,7 +17,7 @@ namespace burnish {
 
 class CubeMapLight {
 public:
-    /// Reads the picture, and what the proxy needs. `room`: for the mesh proxy, else not asked for.
+    /// Reads the picture, and what the proxy needs. `room`: of the mesh proxy, where it is there already; else its file is read.
     /// `convert`: as Environment::load. Throws Error(read_failed | missing_channel | bad_argument).
     CubeMapLight(const CubeMapSettings& settings, const std::function<void(Image&)>& convert,
                  std::shared_ptr<const Scene> room = nullptr);

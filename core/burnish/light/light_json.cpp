@@ -18,14 +18,14 @@ using Names = std::vector<std::string_view>;
 constexpr double kLargest = 1e9;
 constexpr NumberRange kRadiance{0, kLargest}, kDegrees{-360000, 360000};
 
-constexpr std::array<std::string_view, 12> kCubeMapFields{"type",   "file",  "depth", "centre", "convention", "up",
-                                                          "rotate", "proxy", "scale", "tint",   "space",      "blocks"};
+constexpr std::array<std::string_view, 13> kCubeMapFields{"type",   "file",  "depth", "distances", "centre", "convention", "up",
+                                                          "rotate", "proxy", "scale", "tint",      "space",  "blocks"};
 constexpr std::array<std::string_view, 10> kMirrorFields{"type",        "file",  "camera", "plane", "behind",
                                                          "second_step", "scale", "tint",   "space", "blocks"};
 constexpr std::array<std::string_view, 9> kAreaFields{"type",  "corners", "radiance", "texture", "two_sided",
                                                       "scale", "tint",    "space",    "blocks"};
-constexpr std::array<std::string_view, 10> kTracedFields{"type", "scene", "radiance", "irradiance", "albedo",
-                                                         "up",   "scale", "tint",     "space",      "blocks"};
+constexpr std::array<std::string_view, 12> kTracedFields{"type", "scene",    "radiance", "irradiance", "albedo", "up",
+                                                         "rays", "texcoord", "scale",    "tint",       "space",  "blocks"};
 
 std::string required_text(const JsonFields& fields, std::string_view key, const std::string& what) {
     const std::string text = fields.text(key);
@@ -55,6 +55,7 @@ CubeMapSettings cube_map_from_json(const JsonFields& fields) {
     CubeMapSettings map;
     map.file = required_text(fields, "file", "the picture, or six of them by %s in the name");
     map.depth = fields.text("depth");
+    map.distances = choice(fields, "distances", kDistanceNames, DistanceKind::automatic);
     map.centre = fields.vector("centre");
     map.picture.convention = choice(fields, "convention", kConventionNames, EnvironmentConvention::automatic);
     map.picture.up = choice(fields, "up", kUpNames, UpAxis::automatic);
@@ -66,6 +67,7 @@ CubeMapSettings cube_map_from_json(const JsonFields& fields) {
 void put(json& value, const CubeMapSettings& map) {
     value["file"] = map.file, value["centre"] = to_json_vector(map.centre);
     put(value, "depth", map.depth);
+    if (map.distances != DistanceKind::automatic) value["distances"] = name_of(map.distances, kDistanceNames);
     if (map.picture.convention != EnvironmentConvention::automatic)
         value["convention"] = name_of(map.picture.convention, kConventionNames);
     if (map.picture.up != UpAxis::automatic) value["up"] = name_of(map.picture.up, kUpNames);
@@ -121,6 +123,8 @@ TracedSettings traced_from_json(const JsonFields& fields) {
     traced.radiance = fields.text("radiance"), traced.irradiance = fields.text("irradiance");
     traced.albedo = fields.text("albedo");
     traced.up = choice(fields, "up", kUpNames, UpAxis::automatic);
+    traced.texcoord = fields.whole_number("texcoord", {0, 15}, 0);
+    traced.rays = fields.whole_number("rays", {1, 64}, traced.rays);
     return traced;
 }
 
@@ -129,6 +133,8 @@ void put(json& value, const TracedSettings& traced) {
     put(value, "radiance", traced.radiance), put(value, "irradiance", traced.irradiance);
     put(value, "albedo", traced.albedo);
     if (traced.up != UpAxis::automatic) value["up"] = name_of(traced.up, kUpNames);
+    if (traced.texcoord != 0) value["texcoord"] = traced.texcoord;
+    if (traced.rays != TracedSettings().rays) value["rays"] = traced.rays;
 }
 
 /// Lamps are thin: what is behind them is seen beside them.

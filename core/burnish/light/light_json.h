@@ -28,6 +28,8 @@ inline constexpr std::pair<std::string_view, EnvironmentConvention> kConventionN
     {"auto", EnvironmentConvention::automatic},
     {"blender", EnvironmentConvention::blender},
     {"openexr", EnvironmentConvention::openexr}};
+inline constexpr std::pair<std::string_view, DistanceKind> kDistanceNames[] = {
+    {"auto", DistanceKind::automatic}, {"planar", DistanceKind::planar}, {"ray", DistanceKind::ray}};
 inline constexpr std::pair<std::string_view, UpAxis> kUpNames[] = {
     {"auto", UpAxis::automatic}, {"y", UpAxis::y}, {"z", UpAxis::z}};
 

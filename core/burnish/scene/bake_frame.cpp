@@ -19,48 +19,44 @@ void sample_pixel(const Tracer& tracer, const View& view, int x, int y, int samp
         if (const auto hit = view.closest(tracer, corner + owen_sobol(i, seed))) add(*hit, spread * hit->distance);
 }
 
-template <class Work>
-void for_each_pixel(const View& view, const Progress& progress, const char* stage, const Work& work) {
-    for_each_tile(view.width, view.height, progress, stage, [&](const Window& tile) {
-        for (int y = tile.y; y < tile.y + tile.height; ++y)
-            for (int x = tile.x; x < tile.x + tile.width; ++x) work(x, y);
+/// Means over the samples of a pixel.
+struct Pixel {
+    Color3f beauty{0.0f}, albedo{0.0f}, irradiance{0.0f};  // the last two over those that see a surface
+    float alpha = 0;
+};
+
+Pixel seen(const Tracer& tracer, const View& view, const SurfaceLight& light, int x, int y, int samples, bool apart) {
+    Pixel sum;
+    sample_pixel(tracer, view, x, y, samples, [&](const Hit& hit, float diameter) {
+        sum.beauty += light.radiance(hit, diameter);
+        sum.alpha += 1;
+        if (apart) sum.albedo += light.albedo(hit, diameter), sum.irradiance += light.irradiance(hit, diameter) * kPi;
     });
+    if (sum.alpha > 0) sum.albedo /= sum.alpha, sum.irradiance /= sum.alpha;
+    sum.beauty /= static_cast<float>(samples), sum.alpha /= static_cast<float>(samples);
+    return sum;
 }
 
 }  // namespace
 
 void add_seen_light(AovFrame& frame, const Tracer& tracer, const View& view, const SurfaceLight& light, int samples,
-                    const Progress& progress) {
-    Image beauty(view.width, view.height, 3), alpha(view.width, view.height, 1);
-    for_each_pixel(view, progress, "colouring", [&](int x, int y) {
-        Color3f sum(0.0f);
-        int seen = 0;
-        sample_pixel(tracer, view, x, y, samples, [&](const Hit& hit, float diameter) {
-            sum += light.radiance(hit, diameter);
-            ++seen;
-        });
-        put(beauty.at(x, y), sum / static_cast<float>(samples));
-        *alpha.at(x, y) = static_cast<float>(seen) / static_cast<float>(samples);
+                    LightParts parts, const Progress& progress) {
+    const int width = view.width, height = view.height;
+    const bool apart = parts == LightParts::apart;
+    Image beauty(width, height, 3), alpha(width, height, 1);
+    Image albedo(apart ? width : 0, height, 3), irradiance(apart ? width : 0, height, 3);
+    for_each_tile(width, height, progress, "colouring", [&](const Window& tile) {
+        for (int y = tile.y; y < tile.y + tile.height; ++y)
+            for (int x = tile.x; x < tile.x + tile.width; ++x) {
+                const Pixel pixel = seen(tracer, view, light, x, y, samples, apart);
+                put(beauty.at(x, y), pixel.beauty);
+                *alpha.at(x, y) = pixel.alpha;
+                if (apart) put(albedo.at(x, y), pixel.albedo), put(irradiance.at(x, y), pixel.irradiance);
+            }
     });
     frame.layers[Role::beauty] = std::move(beauty);
     frame.layers[Role::alpha] = std::move(alpha);
-}
-
-void add_light_parts(AovFrame& frame, const Tracer& tracer, const View& view, const SurfaceLight& light, int samples,
-                     const Progress& progress) {
-    Image albedo(view.width, view.height, 3), irradiance(view.width, view.height, 3);
-    for_each_pixel(view, progress, "irradiance", [&](int x, int y) {
-        Color3f reflectance(0.0f), e(0.0f);
-        int seen = 0;
-        sample_pixel(tracer, view, x, y, samples, [&](const Hit& hit, float diameter) {
-            reflectance += light.albedo(hit, diameter);
-            e += light.irradiance(hit, diameter) * kPi;
-            ++seen;
-        });
-        if (seen == 0) return;
-        put(albedo.at(x, y), reflectance / static_cast<float>(seen));
-        put(irradiance.at(x, y), e / static_cast<float>(seen));
-    });
+    if (!apart) return;
     frame.layers[Role::diffuse_albedo] = std::move(albedo);
     frame.layers[Role::irradiance] = std::move(irradiance);
 }

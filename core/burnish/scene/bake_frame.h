@@ -8,14 +8,13 @@
 
 namespace burnish {
 
-/// Adds beauty (linear RGB, premultiplied) and alpha (the share of the pixel that sees a surface) to a frame that
-/// trace_gbuffer made of the same view. `samples` rays a pixel, box filtered, each reading the light as wide as its share of
-/// the pixel. Same bits for any thread count.
-void add_seen_light(AovFrame& frame, const Tracer& tracer, const View& view, const SurfaceLight& light, int samples,
-                    const Progress& progress);
+enum class LightParts { together, apart };
 
-/// Adds diffuse_albedo and irradiance (E, not divided by pi), both means over the surfaces in the pixel.
-void add_light_parts(AovFrame& frame, const Tracer& tracer, const View& view, const SurfaceLight& light, int samples,
-                     const Progress& progress);
+/// Adds beauty (linear RGB, premultiplied) and alpha (the share of the pixel that sees a surface) to a frame that trace_gbuffer
+/// made of the same view; `apart` also diffuse_albedo and irradiance (E, not divided by pi), both means over the surfaces in the
+/// pixel. `samples` rays a pixel, box filtered, each reading the light as wide as its share of the pixel. Same bits for any thread
+/// count.
+void add_seen_light(AovFrame& frame, const Tracer& tracer, const View& view, const SurfaceLight& light, int samples,
+                    LightParts parts, const Progress& progress);
 
 }  // namespace burnish

@@ -39,8 +39,9 @@ const json kCorners = {{0, 0, 3}, {0, 1, 3}, {1, 1, 3}, {1, 0, 3}};
 
 TEST(LightJson, CubeMapsSurvive) {
     expect_round_trip(cube_map());
-    json full = {{"depth", "depth.exr"}, {"convention", "openexr"}, {"up", "z"},         {"rotate", 90},   {"proxy", "depth"},
-                 {"scale", 2},           {"tint", {1, 0.5, 0.25}},  {"space", "ACEScg"}, {"blocks", false}};
+    json full = {{"depth", "depth.exr"}, {"convention", "openexr"}, {"distances", "ray"}, {"up", "z"},
+                 {"rotate", 90},         {"proxy", "depth"},        {"scale", 2},         {"tint", {1, 0.5, 0.25}},
+                 {"space", "ACEScg"},    {"blocks", false}};
     full.update(cube_map());
     expect_round_trip(full);
     expect_round_trip(with(cube_map(), "proxy", {{"mesh", "room.glb"}}));
@@ -61,6 +62,7 @@ TEST(LightJson, TheOthersSurvive) {
     const json traced = {{"type", "traced"}, {"scene", "room.glb"}};
     expect_round_trip(traced);
     expect_round_trip(with(with(with(with(traced, "radiance", "r.exr"), "irradiance", "e.exr"), "albedo", "a.exr"), "up", "y"));
+    expect_round_trip(with(with(traced, "rays", 16), "texcoord", 1));
 }
 
 TEST(LightJson, ReadsEveryField) {

@@ -27,8 +27,7 @@ TEST(BakeFrame, BeautyIsAlbedoTimesIrradianceOverPiPlusEmission) {
     const SurfaceLight light(view.scene, std::move(maps));
     const View seen{view.camera, kWidth, kHeight};
     AovFrame frame = trace_gbuffer(tracer, seen, {});
-    add_seen_light(frame, tracer, seen, light, 16, {});
-    add_light_parts(frame, tracer, seen, light, 16, {});
+    add_seen_light(frame, tracer, seen, light, 16, LightParts::apart, {});
     int floor = 0, ball = 0, sky = 0;
     for (int y = 1; y < kHeight - 1; ++y)
         for (int x = 1; x < kWidth - 1; ++x) {
