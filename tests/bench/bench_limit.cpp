@@ -33,7 +33,10 @@ HWY_INLINE void queued_sum_half(const hwy::float16_t* rgba, const TapQueue& queu
     const auto texels = [&](int32_t offset) {
         return hn::PromoteTo(pair, hn::LoadU(half, rgba + 4 * static_cast<size_t>(offset)));
     };
-    sum_of_pairs(texels, queue, first, count, sums);
+    auto sum = hn::Zero(pair);
+    for_each_pair(texels, queue, first, count,
+                  [&](size_t i, auto both) { sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum); });
+    store_sum(sum, sums);
 }
 #endif
 
