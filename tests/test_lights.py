@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import burnish
+import cycles
+import room as room_of_cycles
 import scenes
 
 LAMPS = {
@@ -184,3 +186,15 @@ def test_a_coupled_diffuse_part_gives_way_to_the_lobes():
     diffuse = burnish.composite(aovs, None, material, lights=LAMPS, camera=scenes.CAMERA)["diffuse"]
     shown = (frame["object_id"] > 0) & (cosine > 0.05)
     assert np.allclose(diffuse[shown], (0.6 * (1 - albedo) * 2 / np.pi)[shown], atol=2e-3)
+
+
+def test_a_room_is_lit_by_place(data):
+    folder = data("cycles/room")
+    lights = {name: light for name, light in room_of_cycles.lights_of(folder).items() if name in ("mirror", "depth")}
+    job = room_of_cycles.job_of(folder, []) | {"lights": lights, "default_light": "auto"}
+    result = burnish.composite(**job)
+    channels = room_of_cycles.layers(folder)
+    truth, index = room_of_cycles.glossy(channels), channels["ViewLayer.IndexMA.X"]
+    floor, vase = (burnish.compare(result["overlay"], truth, cycles.interior(index, i, 1))["psnr_db"] for i in (1, 2))
+    assert floor > 27 and vase > 32
+    assert set(result["report"]["materials"]) == {"floor", "vase"}

@@ -26,7 +26,8 @@ struct Pixels {
         const size_t pixel = batch.pixel[i];
         const float c = curvature.at(pixel), d = (curvature.eye() - batch.p[i]).length();
         const float turn = curvature.pixel_angle() * reflection_turn(c, batch.n[i].dot(batch.wo[i]), d);
-        const float nu_a = angular.nu_a * kNyquist, b = nu_a * turn;
+        const float shear = angular.nearness * curvature.pixel_angle() * d;
+        const float nu_a = angular.nu_a * kNyquist, b = nu_a * (turn + shear);
         *layers.curvature.at(pixel) = c;
         *layers.nu_a.at(pixel) = nu_a, *layers.bandwidth.at(pixel) = b;
         *layers.level.at(pixel) = shading_level(b, layers.level.width, layers.level.height);

@@ -19,7 +19,7 @@ struct BandwidthLayers {
     Image level;      // of the grid that is fine enough: a sample every 2^level pixels, see shading_level
     Image samples;    // per pixel for equal noise, by the predicted variance, relative to the mean over shaded pixels
     Image curvature;  // of the surface, 1/unit
-    Image nu_a;    // of the overlay, cycles per radian of the reflected direction; `bandwidth` is this times the turn per pixel
+    Image nu_a;    // of the overlay, cycles per radian of the reflected direction; `bandwidth` is this times the turn per pixel, shear included
     Image shaded;  // 1 where a pixel has a prediction
 };
 

@@ -85,7 +85,7 @@ void equip(const Look& look, const ReadyMaterials& materials, const std::vector<
         }
         const LightChain chain = look.rig.chain(lit.chain);
         shaders.emplace_back(material.taps, chain);
-        if (material.probes) predictors.emplace_back(material.probes, chain, look.density);
+        if (material.probes) predictors.emplace_back(material.probes, chain);
     }
 }
 
@@ -106,7 +106,7 @@ Wardrobe prepare_wardrobe(const Job& job) {
 }
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig) {
-    Look look{std::move(wardrobe), std::move(rig), {}, {}, job.density};
+    Look look{std::move(wardrobe), std::move(rig), {}, {}};
     look.materials = ready_materials(job, look.wardrobe, look.wardrobe.materials, look.rig);
     look.old_materials = ready_materials(job, look.wardrobe, look.wardrobe.old_materials, look.rig);
     return look;

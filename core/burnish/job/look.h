@@ -45,7 +45,6 @@ struct Look {
     Wardrobe wardrobe;
     Rig rig;
     std::vector<std::shared_ptr<const ReadyMaterial>> materials, old_materials;
-    DensitySettings density;
 };
 
 Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig);

@@ -77,11 +77,11 @@ void BoundingPlanes::ends(std::span<const LightRay> rays, std::vector<RayEnd>& o
     std::vector<Vec3f> g(m_walls.size());
     for (uint32_t index = 0; index < rays.size(); ++index) {
         const LightRay& ray = rays[index];
+        if (index == 0 || ray.p != rays[index - 1].p)
+            for (size_t i = 0; i < m_walls.size(); ++i) g[i] = reciprocal(m_walls[i], ray.p);
         size_t nearest = 0;
-        for (size_t i = 0; i < m_walls.size(); ++i) {
-            g[i] = reciprocal(m_walls[i], ray.p);
+        for (size_t i = 1; i < m_walls.size(); ++i)
             if (g[i].dot(ray.d) > g[nearest].dot(ray.d)) nearest = i;
-        }
         if (straddles(ray, g, nearest))
             share_out(ray, index, g, out);
         else
@@ -106,8 +106,12 @@ float sigmas_from_edge(const LightRay& ray, const Vec3f& near, const Vec3f& far)
 }  // namespace
 
 bool BoundingPlanes::straddles(const LightRay& ray, std::span<const Vec3f> g, size_t nearest) {
-    for (size_t i = 0; i < g.size(); ++i)
-        if (i != nearest && sigmas_from_edge(ray, g[nearest], g[i]) < kStraddle) return true;
+    const float reach2 = kStraddle * kStraddle * ray.sigma * ray.sigma;
+    for (size_t i = 0; i < g.size(); ++i) {
+        const Vec3f edge = g[nearest] - g[i];
+        const float gap = edge.dot(ray.d);
+        if (i != nearest && gap * gap < reach2 * (edge.length2() - gap * gap)) return true;
+    }
     return false;
 }
 

@@ -3,14 +3,17 @@
 #include <burnish/base/error.h>
 #include <burnish/light/environment_picture.h>
 #include <burnish/light/gaussian_stack.h>
+#include <burnish/light/light_mean.h>
 #include <burnish/light/stack_lookup.h>
+#include <burnish/scene/load_scene.h>
 
 #include <algorithm>
 
 namespace burnish {
 namespace {
 
-constexpr float kSamePlace = 1e-3f;  // of the distance from the centre
+constexpr float kShareBend = 0.42f;  // largest second derivative of a cone's share with its distance from an edge, in sigmas
+constexpr float kSamePlace = 3e-4f;  // of the distance from the centre
 
 void find_ends(const Proxy& proxy, std::span<const LightRay> rays, std::vector<RayEnd>& out) {
     std::visit([&](const auto& one) { one.ends(rays, out); }, proxy);
@@ -30,29 +33,43 @@ std::optional<Environment> read_cover(const CubeMapSettings& settings) {
     return Environment::from_picture(std::move(alpha), of_a_room(settings.picture), settings.file);
 }
 
+std::shared_ptr<const Scene> load_room(const CubeMapSettings& settings) {
+    if (settings.proxy.mesh.empty())
+        throw Error(ErrorCode::bad_argument,
+                    settings.file + ": the mesh proxy has no mesh. Name a glTF or OBJ file of the room.");
+    return std::make_shared<const Scene>(load_scene(settings.proxy.mesh, {.up = settings.picture.up}));
+}
+
 Proxy make_proxy(const CubeMapSettings& settings, std::shared_ptr<const Scene> room) {
     switch (settings.proxy.kind) {
         case ProxyKind::planes: return BoundingPlanes(settings.proxy.planes, settings.centre);
         case ProxyKind::box: return BoundingPlanes(settings.proxy.box, settings.centre);
         case ProxyKind::depth:
             return DepthImpostor(std::make_shared<const DistanceMap>(DistanceMap::load(settings)), settings.centre);
-        case ProxyKind::mesh:
-            if (!room) throw Error(ErrorCode::bad_argument, settings.file + ": the mesh proxy has no mesh. Name its file.");
-            return ProxyMesh(std::move(room), settings.centre);
+        case ProxyKind::mesh: return ProxyMesh(room ? std::move(room) : load_room(settings), settings.centre);
         case ProxyKind::infinite: break;
     }
     return InfiniteProxy();
 }
 
-/// Filtered values of a map for rays' ends. Directions are in world space, relative to the centre.
-void look_up_ends(const Environment& map, std::span<const LightRay> rays, std::span<const RayEnd> ends,
-                  std::span<const ConeTurn> turns, std::vector<std::array<float, 4>>& rgba) {
+/// Filtered values of a map for cones seen from the centre, in world space.
+void look_up_cones(const Environment& map, std::span<const SeenCone> cones, std::vector<std::array<float, 4>>& rgba) {
     const GaussianStack& stack = map.gaussian_stack();
-    std::vector<StackPlace> places(ends.size());
-    for (size_t k = 0; k < ends.size(); ++k)
-        places[k] = {ends[k].from_centre * map.world_to_light(), stack.level(rays[ends[k].ray].sigma * turns[k].width)};
-    rgba.resize(ends.size());
-    look_up(stack.stack(), places, {1, 1, 1, 1}, rgba);
+    std::vector<StackPlace> places;
+    for (const SeenCone& cone : cones) {
+        const float level = stack.quick_level(cone.sigma);
+        places.push_back({(cone.middle + cone.apart) * map.world_to_light(), level});
+        if (!cone.is_one()) places.push_back({(cone.middle - cone.apart) * map.world_to_light(), level});
+    }
+    std::vector<std::array<float, 4>> found(places.size());
+    look_up(stack.stack(), places, {1, 1, 1, 1}, found);
+    rgba.resize(cones.size());
+    for (size_t i = 0, k = 0; i < cones.size(); ++i) {
+        rgba[i] = found[k++];
+        if (cones[i].is_one()) continue;
+        for (int channel = 0; channel < 3; ++channel) rgba[i][channel] = 0.5f * (rgba[i][channel] + found[k][channel]);
+        rgba[i][3] = std::max(rgba[i][3], found[k++][3]);
+    }
 }
 
 }  // namespace
@@ -71,11 +88,11 @@ CubeMapLight::CubeMapLight(Environment picture, std::optional<Environment> cover
 void CubeMapLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
     std::vector<RayEnd> ends;
     find_ends(m_proxy, rays, ends);
-    std::vector<ConeTurn> turns;
-    for (const RayEnd& end : ends) turns.emplace_back(rays[end.ray], end);
+    std::vector<SeenCone> cones;
+    for (const RayEnd& end : ends) cones.emplace_back(rays[end.ray], end);
     std::vector<std::array<float, 4>> light, cover;
-    look_up_ends(m_picture, rays, ends, turns, light);
-    if (m_cover) look_up_ends(*m_cover, rays, ends, turns, cover);
+    look_up_cones(m_picture, cones, light);
+    if (m_cover) look_up_cones(*m_cover, cones, cover);
     const Color3f& gain = m_picture.gain();
     const float bend_gain = luminance(gain);
     std::fill(out.begin(), out.end(), Incident());
@@ -84,9 +101,20 @@ void CubeMapLight::lookup(std::span<const LightRay> rays, std::span<Incident> ou
         Incident& sum = out[end.ray];
         sum.radiance += gain * Color3f(light[k][0], light[k][1], light[k][2]) * end.share;
         sum.cover += (m_cover ? cover[k][0] : 1.0f) * end.share;
-        sum.bend += bend_gain * light[k][3] * turns[k].bend * end.share;
+        sum.bend += bend_gain * light[k][3] * cones[k].bend * end.share;
         sum.nearness += end.share / std::max(end.distance, 1e-6f);
     }
+    for (size_t k = 0; k < ends.size(); ++k) {
+        if (ends[k].share == 1) continue;
+        const Color3f own = gain * Color3f(light[k][0], light[k][1], light[k][2]);
+        Incident& sum = out[ends[k].ray];
+        const float sigma = rays[ends[k].ray].sigma;
+        sum.bend += kShareBend / (sigma * sigma) * std::fabs(luminance(own - sum.radiance));
+    }
+}
+
+float CubeMapLight::mean_luminance() const {
+    return luminance(m_picture.gain()) * display_mean_luminance(m_picture.gaussian_stack().stack());
 }
 
 RayEnd CubeMapLight::end_of(const LightRay& ray) const {

@@ -17,7 +17,7 @@ namespace burnish {
 
 class CubeMapLight {
 public:
-    /// Reads the picture, and what the proxy needs. `room`: for the mesh proxy, else not asked for.
+    /// Reads the picture, and what the proxy needs. `room`: of the mesh proxy, where it is there already; else its file is read.
     /// `convert`: as Environment::load. Throws Error(read_failed | missing_channel | bad_argument).
     CubeMapLight(const CubeMapSettings& settings, const std::function<void(Image&)>& convert,
                  std::shared_ptr<const Scene> room = nullptr);
@@ -29,6 +29,8 @@ public:
     bool can_sample() const { return true; }
     /// The map's bright parts, met from p. Draws that p does not see are lost: their pdf is 0.
     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
+
+    float mean_luminance() const;
 
     const Environment& picture() const { return m_picture; }
     const Vec3f& centre() const { return m_centre; }

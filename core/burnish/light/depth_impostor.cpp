@@ -5,11 +5,27 @@ namespace {
 
 constexpr float kSegment = 2 * DistanceMap::kReach;  // radian of the arc, skipped or followed
 constexpr float kBreak = 1.3f;                       // from one texel to the next: the surface ends there
-constexpr float kLastAngle = kPi / 2 - 1e-3f;        // of the arc, from the point nearest to the centre
+constexpr float kLeastCosine = 1e-3f;                // beyond, the rest of the arc goes in one direction
 constexpr int kSecants = 8;
 constexpr float kClose = 1e-5f;
 
-/// A ray from o along d in the map's axes, by its angle theta seen from the centre: 0 where it is nearest, pi / 2 far away.
+/// An angle seen from the centre, between -pi / 2 and pi / 2; 0 is where the ray is nearest.
+struct Angle {
+    float cosine, sine;
+
+    static Angle of(float radian) { return {std::cos(radian), std::sin(radian)}; }
+    /// Turned on, not beyond `last`.
+    Angle turned(const Angle& by, const Angle& last) const {
+        const Angle next{cosine * by.cosine - sine * by.sine, sine * by.cosine + cosine * by.sine};
+        return next.sine >= last.sine || next.cosine < 0 ? last : next;
+    }
+    Angle halfway(const Angle& to) const {
+        const float c = cosine + to.cosine, s = sine + to.sine, length = std::sqrt(c * c + s * s);
+        return {c / length, s / length};
+    }
+};
+
+/// A ray from o along d in the map's axes.
 struct Arc {
     Vec3f o, d, side;    // side: unit, from the centre to the nearest point
     float reach, along;  // distance of the nearest point from the centre; from there to o
@@ -20,10 +36,12 @@ struct Arc {
         side = reach > 0 ? nearest / reach : Frame::around(d).t;
         reach = std::max(reach, 1e-6f * std::max(o.length(), 1e-6f));
     }
-    float start() const { return std::atan2(along, reach); }
-    Vec3f toward(float theta) const { return side * std::cos(theta) + d * std::sin(theta); }
-    float radius(float theta) const { return reach / std::cos(theta); }
-    float distance(float theta) const { return reach * std::tan(theta) - along; }
+    Angle start() const {
+        const float length = std::sqrt(reach * reach + along * along);
+        return {reach / length, along / length};
+    }
+    Vec3f toward(const Angle& angle) const { return side * angle.cosine + d * angle.sine; }
+    float distance(const Angle& angle) const { return reach * angle.sine / angle.cosine - along; }
     Vec3f at(float distance) const { return o + d * distance; }
 };
 
@@ -38,12 +56,16 @@ public:
 
 private:
     float excess(float distance) const { return m_map.nearer(m_arc.at(distance)) - 1; }
-    float excess_at(float theta) const { return m_arc.radius(theta) * m_map.nearer(m_arc.toward(theta)) - 1; }
+    bool is_behind(const Angle& angle) const { return m_map.nearer(m_arc.toward(angle)) * m_arc.reach > angle.cosine; }
+    /// Whether the arc from one to the other is in front of all that is about it.
+    bool is_clear(const Angle& from, const Angle& to) const {
+        return m_map.bound(m_arc.toward(from.halfway(to))) * m_arc.reach < std::min(from.cosine, to.cosine);
+    }
     /// Where the excess changes its sign between two distances.
     float root(float near, float far) const;
     /// Follows the arc step by step; true when it met a surface, then at m_met.
-    bool follow(float from, float to);
-    /// The rest of the arc beyond kLastAngle, which goes in one direction.
+    bool follow(const Angle& from, const Angle& to);
+    /// The rest of the arc.
     bool meets_far_away();
 
     const DistanceMap& m_map;
@@ -54,33 +76,32 @@ private:
 };
 
 std::optional<float> March::meet() {
-    const float start = m_arc.start();
+    static const Angle segment = Angle::of(kSegment), last{kLeastCosine, std::sqrt(1 - kLeastCosine * kLeastCosine)};
     m_hidden = excess(0) > 0;
-    for (float theta = start; theta < kLastAngle; theta += kSegment) {
-        const float next = std::min(theta + kSegment, kLastAngle);
-        const float farthest = std::max(m_arc.radius(theta), m_arc.radius(next));
-        if (farthest * m_map.bound(m_arc.toward(0.5f * (theta + next))) < 1)
+    for (Angle here = m_arc.start(); here.sine < last.sine;) {
+        const Angle next = here.turned(segment, last);
+        if (is_clear(here, next))
             m_hidden = false;
-        else if (follow(theta, next))
+        else if (follow(here, next))
             return m_met;
+        here = next;
     }
     if (!m_hidden && meets_far_away()) return m_met;
     m_at_outline = m_outline.has_value();
     return m_outline;
 }
 
-bool March::follow(float from, float to) {
-    const int steps = std::clamp(m_map.size() / 32, 4, 32);
-    float before = from;
-    for (int i = 1; i <= steps; ++i) {
-        const float theta = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
-        const bool behind = excess_at(theta) > 0;
+bool March::follow(const Angle& from, const Angle& to) {
+    const Angle step = Angle::of(kSegment / static_cast<float>(std::clamp(m_map.size() / 32, 4, 32)));
+    for (Angle before = from; before.sine < to.sine;) {
+        const Angle here = before.turned(step, to);
+        const bool behind = is_behind(here);
         if (behind && !m_hidden) {
-            m_met = root(std::max(m_arc.distance(before), 0.0f), m_arc.distance(theta));
+            m_met = root(std::max(m_arc.distance(before), 0.0f), m_arc.distance(here));
             if (m_map.jump(m_arc.at(m_met)) < kBreak) return true;
             if (!m_outline) m_outline = m_met;
         }
-        m_hidden = behind, before = theta;
+        m_hidden = behind, before = here;
     }
     return false;
 }

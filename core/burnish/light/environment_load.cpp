@@ -25,8 +25,11 @@ int own_face_size(const EnvironmentPicture& given) {
     return given.faces ? cube_size_for_cube((*given.faces)[0].width) : cube_size_for_latlong(given.latlong.width);
 }
 
-std::array<Image, 6> pyramid_faces(const EnvironmentPicture& given, int face_size) {
-    return given.faces ? resized_cube(*given.faces, face_size) : latlong_to_cube(given.latlong, face_size);
+using Faces = std::shared_ptr<const std::array<Image, 6>>;
+
+Faces pyramid_faces(const EnvironmentPicture& given, int face_size) {
+    return std::make_shared<const std::array<Image, 6>>(given.faces ? resized_cube(*given.faces, face_size)
+                                                                    : latlong_to_cube(given.latlong, face_size));
 }
 
 DiscCut cut_suns(EnvironmentPicture& given) {
@@ -43,8 +46,12 @@ Environment Environment::from_picture(EnvironmentPicture given, const Environmen
     const int face = settings.face_size > 0 ? settings.face_size : light.m_suggested_face_size;
     DiscCut suns = settings.suns == Suns::automatic ? cut_suns(given) : DiscCut();
     light.m_discs = suns.discs();
-    light.m_filtered = std::make_shared<Filtered>(pyramid_faces(given, face), settings.kernel);
+    Faces filtered = pyramid_faces(given, face);
+    const bool as_given = given.faces && suns.discs().empty() && (*given.faces)[0].width == face;
     suns.put_back();
+    Faces whole = as_given || !given.faces ? nullptr : std::make_shared<const std::array<Image, 6>>(std::move(*given.faces));
+    light.m_source = std::make_shared<Source>(std::move(given.latlong), as_given ? filtered : std::move(whole));
+    light.m_filtered = std::make_shared<Filtered>(std::move(filtered), settings.kernel);
     light.m_world_to_light = orientation.world_to_light;
     light.m_gain = settings.tint * settings.scale;
     light.m_notes.push_back(name + ": " + given.description + ", " +
@@ -53,7 +60,6 @@ Environment Environment::from_picture(EnvironmentPicture given, const Environmen
                             size_text(face, face));
     for (const std::string& sun : suns.notes()) light.m_notes.push_back(name + ": " + sun);
     light.m_warnings = std::move(given.warnings);
-    light.m_source = std::make_shared<Source>(std::move(given));
     return light;
 }
 

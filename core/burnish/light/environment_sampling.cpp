@@ -69,7 +69,7 @@ float steradian_per_face(const Vec3f& d) {
 
 const SampleTable& Environment::Source::table() const {
     std::call_once(m_table_made, [this] {
-        m_table = is_cube() ? SampleTable(m_cube.size(), 6 * m_cube.size(), cube_weights(m_cube))
+        m_table = is_cube() ? SampleTable(cube().size(), 6 * cube().size(), cube_weights(cube()))
                             : SampleTable(m_latlong.width, m_latlong.height, latlong_weights(m_latlong));
     });
     return m_table;
@@ -79,7 +79,7 @@ Vec3f Environment::Source::sample(const Vec2f& u, float& density) const {
     const SampleTable::Place place = table().sample(u);
     Vec3f d;
     if (is_cube()) {
-        const int n = m_cube.size();
+        const int n = cube().size();
         d = cube_direction(place.row / n, (static_cast<float>(place.column) + place.x) / static_cast<float>(n),
                            (static_cast<float>(place.row % n) + place.y) / static_cast<float>(n));
     } else {
@@ -95,7 +95,7 @@ Vec3f Environment::Source::sample(const Vec2f& u, float& density) const {
 
 float Environment::Source::pdf(const Vec3f& d) const {
     if (is_cube()) {
-        const int n = m_cube.size();
+        const int n = cube().size();
         const CubeCoord c = cube_coord(d);
         const auto cell = [&](float x) { return std::min(static_cast<int>(x * static_cast<float>(n)), n - 1); };
         const double per_face = table().probability(cell(c.x), c.face * n + cell(c.y)) * n * n;

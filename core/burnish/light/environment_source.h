@@ -14,29 +14,33 @@ namespace burnish {
 /// Either the lat-long or the cube is set. Radiance is finite and >= 0.
 class Environment::Source {
 public:
-    explicit Source(EnvironmentPicture picture);
+    /// Either may be empty. The faces are kept, and made ready for lookups when these first ask, by any thread: few renders do.
+    Source(Image latlong, std::shared_ptr<const std::array<Image, 6>> faces)
+        : m_latlong(std::move(latlong)), m_faces(std::move(faces)) {}
 
     Color3f radiance(const Vec3f& d) const;
     Vec3f sample(const Vec2f& u, float& pdf) const;
     float pdf(const Vec3f& d) const;
 
 private:
-    bool is_cube() const { return m_cube.size() > 0; }
-    /// Made when first asked for, by any thread: few renders sample the light. Cells are the picture's texels (cube: six faces one below the other); weight = luminance of the bilinear picture
+    bool is_cube() const { return m_faces != nullptr; }
+    const CubeLevel& cube() const;
+    /// Cells are the picture's texels (cube: six faces one below the other); weight = luminance of the bilinear picture
     /// integrated over the texel's solid angle. A cell is 0 only where the bilinear radiance is 0 in all of it.
     const SampleTable& table() const;
 
     Image m_latlong;
-    CubeLevel m_cube;
-    mutable std::once_flag m_table_made;
+    std::shared_ptr<const std::array<Image, 6>> m_faces;
+    mutable std::once_flag m_cube_made, m_table_made;
+    mutable CubeLevel m_cube;
     mutable SampleTable m_table;
 };
 
 struct Environment::Filtered {
-    Filtered(std::array<Image, 6> cube_faces, PyramidKernel pyramid_kernel)
+    Filtered(std::shared_ptr<const std::array<Image, 6>> cube_faces, PyramidKernel pyramid_kernel)
         : faces(std::move(cube_faces)), kernel(pyramid_kernel) {}
 
-    const std::array<Image, 6> faces;
+    const std::shared_ptr<const std::array<Image, 6>> faces;
     const PyramidKernel kernel;
     std::once_flag pyramid_made, stack_made;
     CubePyramid pyramid;

@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-constexpr uint32_t kPoints = 16;
+constexpr uint32_t kPoints = 32;
 constexpr float kBright = 3;       // times the scene's mean radiance
 constexpr int kMostSteps = 6;      // of the grid over a triangle on which its light is averaged
 constexpr float kPastHit = 1e-5f;  // of its distance: where to look for what lies behind a hit

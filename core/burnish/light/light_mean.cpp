@@ -1,5 +1,7 @@
 #include <burnish/light/light_mean.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace burnish {
@@ -14,6 +16,22 @@ float mean_luminance(const CubeStack& stack) {
                 sum += luminance({rgb[0], rgb[1], rgb[2]});
             }
     return static_cast<float>(sum / (6.0 * widest.size() * widest.size()));
+}
+
+float display_mean_luminance(const CubeStack& stack) {
+    constexpr int kFine = 32;  // texels a face, to tell lamps from walls
+    int k = stack.level_count() - 1;
+    while (k > 0 && stack[k].size() < kFine) --k;
+    const CubeLevel& level = stack[k];
+    double sum = 0;
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < level.size(); ++y)
+            for (int x = 0; x < level.size(); ++x) {
+                const float* rgb = level.at(face, x, y);
+                sum += std::sqrt(std::max(luminance({rgb[0], rgb[1], rgb[2]}), 0.0f));
+            }
+    const double root = sum / (6.0 * level.size() * level.size());
+    return static_cast<float>(root * root);
 }
 
 float mean_luminance(const Light& light) {

@@ -12,7 +12,10 @@ namespace burnish {
 /// Of the radiance in the stack's widest level.
 float mean_luminance(const CubeStack& stack);
 
-/// Of a light, bright discs apart; 0 where it cannot say, as it has no mean without a place.
+/// Of a room, whose lamps are few and bright: the square of the mean of square roots, as a display weighs them.
+float display_mean_luminance(const CubeStack& stack);
+
+/// Of a light, bright discs and lamps apart; 0 where it cannot say, as it has no mean without a place.
 float mean_luminance(const Light& light);
 
 /// Of a chain: of the darkest light that has one, as the others may be hidden; darker than it is makes predictions safer.

@@ -40,11 +40,11 @@ Image read_map(const std::string& file, const Conversion& convert) {
     return map;
 }
 
-float extent_of(const Scene& scene) {
+Imath::Box3f box_of(const Scene& scene) {
     Imath::Box3f box;
     for (const Object& object : scene.objects)
         for (const Vertex& vertex : object.mesh.vertices) box.extendBy(vertex.p);
-    return box.isEmpty() ? 0 : std::max({box.size().x, box.size().y, box.size().z});
+    return box;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ LitScene::LitScene(Scene scene, LightMaps maps)
       m_tracer(m_scene),
       m_light(m_scene, std::move(maps)),
       m_lamps(m_light),
-      m_extent(extent_of(m_scene)) {}
+      m_box(box_of(m_scene)) {}
 
 LitScene::LitScene(const TracedSettings& settings, const std::function<void(Image&)>& convert)
     : LitScene(read_scene(settings, convert), LightMaps{.radiance = read_map(settings.radiance, convert),

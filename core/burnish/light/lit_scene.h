@@ -4,6 +4,9 @@
 #include <burnish/light/lamps.h>
 #include <burnish/light/light_settings.h>
 
+#include <Imath/ImathBox.h>
+
+#include <algorithm>
 #include <functional>
 
 namespace burnish {
@@ -21,15 +24,17 @@ public:
     const Tracer& tracer() const { return m_tracer; }
     const SurfaceLight& light() const { return m_light; }
     const Lamps& lamps() const { return m_lamps; }
-    /// Largest edge of the box about it, scene units.
-    float extent() const { return m_extent; }
+    /// About all of it, scene units.
+    const Imath::Box3f& box() const { return m_box; }
+    /// Largest edge of the box.
+    float extent() const { return m_box.isEmpty() ? 0 : std::max({m_box.size().x, m_box.size().y, m_box.size().z}); }
 
 private:
     Scene m_scene;
     Tracer m_tracer;
     SurfaceLight m_light;
     Lamps m_lamps;
-    float m_extent;
+    Imath::Box3f m_box;
 };
 
 }  // namespace burnish

@@ -17,6 +17,13 @@ RayBundle::RayBundle(int rays) : m_part(1 / std::sqrt(static_cast<float>(rays)))
     for (Vec2f& place : m_places) place *= std::sqrt(2 * (1 - m_part * m_part) / square);
 }
 
+float RayBundle::mean_share(size_t i, float k) const {
+    // Over a ring of the Gaussian's mass g is uniform, from `inner` down to `outer`.
+    const double count = static_cast<double>(m_places.size()), outer = 1 - (static_cast<double>(i) + 1) / count,
+                 inner = outer + 1 / count;
+    return k > 0 ? static_cast<float>(std::max(1 - count * k * (std::atan(inner / k) - std::atan(outer / k)), 0.0)) : 1.0f;
+}
+
 Cone::Cone(const Vec3f& d, const Vec3f& up, float sigma)
     : m_frame(Frame::along(d, up)),
       m_up(up),

@@ -17,6 +17,8 @@ public:
     std::span<const Vec2f> places() const { return m_places; }
     /// Width of a part, in widths of the Gaussian.
     float part() const { return m_part; }
+    /// Mean of g^2 / (g^2 + k^2) over the part of ray i, g = exp(-r^2 / 2) at r widths from the axis.
+    float mean_share(size_t i, float k) const;
 
 private:
     std::vector<Vec2f> m_places;

@@ -47,7 +47,6 @@ void look_up_each(const CubeStack& stack, std::span<const StackPlace> places, co
     static_assert(sizeof(StackPlace) == 4 * sizeof(float));
     const Lanes d;
     TapQueue queue;
-    for (auto& weight : queue.weight) std::copy(gain.begin(), gain.end(), weight);
     for (size_t begin = 0; begin < places.size(); begin += TapQueue::kCapacity) {
         const size_t count = std::min(TapQueue::kCapacity, places.size() - begin);
         for (size_t i = 0; i < count; i += hn::Lanes(d)) {
@@ -59,7 +58,7 @@ void look_up_each(const CubeStack& stack, std::span<const StackPlace> places, co
             hn::LoadInterleaved4(d, is_whole ? &places[begin + i].d.x : &last[0].d.x, w.x, w.y, w.z, level);
             queue_taps(stack.layout(), 0, w, level, i, queue);
         }
-        for (size_t i = 0; i < count; ++i) queued_sum(stack.layout(), queue, i, 1, rgba[begin + i].data());
+        queued_values(stack.layout(), queue, count, gain.data(), reinterpret_cast<float(*)[4]>(&rgba[begin]));
     }
 }
 

@@ -3,8 +3,8 @@
 // A lookup's cone is a bundle of rays, the same for every point but for the way it is turned; each brings the mean over its own part
 // of the cone from the light map's pyramid. Such rays would hit or miss a small bright lamp by chance. So a direction that leads to a
 // lamp may come from two sides, as a ray of the cone or as one of a few points of the lamps that all cones of a shaded point share,
-// and counts by the balance heuristic (Veach & Guibas 1995): with K rays of density g and M points of density q, either adds
-// L g / (K g + M q). `exact` is one ray, unfiltered.
+// and counts by the power heuristic (Veach & Guibas 1995): with K rays of density g and M points of density q, a ray adds
+// L / K (K g)^2 / ((K g)^2 + (M q)^2), a point L g / (M q) (M q)^2 / ((K g)^2 + (M q)^2). `exact` is one ray, unfiltered.
 #pragma once
 
 #include <burnish/light/ray_bundle.h>
@@ -30,12 +30,16 @@ public:
     /// Towards the scene's lamps.
     LightDraw sample(const Vec3f& p, const Vec2f& u) const { return m_scene->lamps().sample(p, u); }
 
+    /// Of what rays from inside the scene's box meet.
+    float mean_luminance() const { return m_mean * luminance(m_gain); }
+
 private:
     Incident averaged(TracedStart& start, const LightRay& ray) const;
 
     std::shared_ptr<const LitScene> m_scene;
     RayBundle m_bundle;
     Color3f m_gain;
+    float m_mean;
 };
 
 }  // namespace burnish

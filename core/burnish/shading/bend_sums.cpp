@@ -31,7 +31,8 @@ void BendSums::set_frequencies(float exposure, float safety, std::span<AngularPr
     for (size_t i = 0; i < overlay.size(); ++i) {
         const float root = std::sqrt(bend[i]) + std::sqrt(std::max(m_view_bend[i], 0.0f));
         const float shown = std::max(luminance(overlay[i]) * exposure, kDarkest);
-        out[i].nu_a = safety * root * std::sqrt(exposure / std::sqrt(shown)) / (2 * kPi);
+        out[i].shown = std::sqrt(shown);
+        out[i].nu_a = safety * root * std::sqrt(exposure / out[i].shown) / (2 * kPi);
     }
 }
 

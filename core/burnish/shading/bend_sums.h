@@ -33,7 +33,7 @@ struct BendSums {
         add_light();
         add_view_bend(batch, albedo);
     }
-    /// Sets nu_a, in periods of a display signal from black to white; `exposure` scales overlays to kDisplayMean.
+    /// Sets nu_a, in periods of a display signal from black to white, and that signal; `exposure` scales overlays to kDisplayMean.
     void set_frequencies(float exposure, float safety, std::span<AngularPrediction> out) const;
 
 private:

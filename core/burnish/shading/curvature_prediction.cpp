@@ -30,7 +30,7 @@ CurvaturePrediction::CurvaturePrediction(const Material& material, const Environ
 
 void CurvaturePrediction::predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const {
     BendSums sums(batch.size());
-    std::fill(out.begin(), out.end(), AngularPrediction{0, 2 * kPi, 0, 0});
+    std::fill(out.begin(), out.end(), AngularPrediction{0, 2 * kPi, 0, 0, 0});
     for (const LobeProbes& probes : m_lobes) {
         sums.add_lobe(batch, probes.albedo, [&] { add_light(probes, batch, sums.overlay, sums.bend); });
         add_suns(probes, batch, sums.bend);

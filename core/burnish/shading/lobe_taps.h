@@ -19,7 +19,8 @@ namespace burnish {
 class LobeTaps {
 public:
     /// Not for `reference`. `split_sum` is `fitted` with one tap here, and samples are not adaptive.
-    LobeTaps(const LobeParameters& lobe, const EstimatorSettings& settings);
+    /// `with_tail`: with taps for the far tail, if the lobe has one, and the estimator's own do not reach into it.
+    LobeTaps(const LobeParameters& lobe, const EstimatorSettings& settings, bool with_tail = true);
 
     const LobeParameters& lobe() const { return m_lobe; }
     /// The taps by the view; null where anisotropy comes from a layer, and each point has its own.
@@ -28,14 +29,14 @@ public:
     void at(const ShadingPoint& point, std::vector<Tap>& taps) const;
 
 private:
-    void prepare_tail();
+    void prepare(const EstimatorSettings& settings);
+    TapTable joined_by_tail(const TapTable& own) const;
     void add_tail(const ShadingPoint& point, std::vector<Tap>& taps) const;
 
     LobeParameters m_lobe;
     std::optional<TapRule> m_rule;
     TapTable m_table;  // empty where anisotropy comes from a layer
-    TailTaps m_tail;
-    TapTable m_tail_table;  // empty where there is no tail, too
+    TailTaps m_tail;   // in the table, if there is one
 };
 
 }  // namespace burnish

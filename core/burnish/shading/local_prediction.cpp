@@ -15,7 +15,7 @@ std::optional<LobeTaps> taps_of(const LobeParameters& lobe, const DensitySetting
     EstimatorSettings estimator;
     estimator.samples = settings.directions > 0 ? settings.directions : kPredictionTaps;
     if (!TapTable::covers(lobe, estimator.samples)) return {};
-    return LobeTaps(lobe, estimator);
+    return LobeTaps(lobe, estimator, false);
 }
 
 /// One ray a pixel along the mirrored view, as wide as the lobe's image is across.
@@ -41,13 +41,12 @@ void add_by_mirrored_view(const MaterialProbes::Lobe& probes, const LightChain& 
 
 }  // namespace
 
-MaterialProbes::MaterialProbes(const Material& material, const DensitySettings& settings) {
+MaterialProbes::MaterialProbes(const Material& material, const DensitySettings& settings) : safety(settings.safety) {
     for (const LobeParameters& lobe : material.lobes) lobes.push_back({lobe, taps_of(lobe, settings), AlbedoCurve(lobe)});
 }
 
-LocalPrediction::LocalPrediction(std::shared_ptr<const MaterialProbes> probes, LightChain lights,
-                                 const DensitySettings& settings)
-    : m_probes(std::move(probes)), m_lights(std::move(lights)), m_safety(settings.safety) {
+LocalPrediction::LocalPrediction(std::shared_ptr<const MaterialProbes> probes, LightChain lights)
+    : m_probes(std::move(probes)), m_lights(std::move(lights)) {
     float albedo = 0;
     for (const MaterialProbes::Lobe& lobe : m_probes->lobes) albedo += lobe.albedo.typical();
     m_exposure = kDisplayMean / std::max(albedo * mean_luminance(m_lights), 1e-20f);
@@ -57,7 +56,7 @@ void LocalPrediction::predict(const SurfaceBatch& batch, std::span<AngularPredic
     BendSums sums(batch.size());
     std::vector<float> nearness(batch.size(), 0.0f), samples(batch.size());
     const LocalSums local{sums.overlay, samples, {}, sums.bend, nearness};
-    std::fill(out.begin(), out.end(), AngularPrediction{0, 2 * kPi, 0, 0});
+    std::fill(out.begin(), out.end(), AngularPrediction{0, 2 * kPi, 0, 0, 0});
     for (const MaterialProbes::Lobe& probes : m_probes->lobes) {
         sums.add_lobe(batch, probes.albedo, [&] {
             if (probes.taps)
@@ -70,7 +69,7 @@ void LocalPrediction::predict(const SurfaceBatch& batch, std::span<AngularPredic
     for (size_t i = 0; i < batch.size(); ++i)
         out[i].nearness = nearness[i] / std::max(nearness_weight(luminance(sums.overlay[i]), sums.bend[i]), 1e-20f);
     for (const MaterialProbes::Lobe& probes : m_probes->lobes) add_discs(probes, batch, sums.bend);
-    sums.set_frequencies(m_exposure, m_safety, out);
+    sums.set_frequencies(m_exposure, m_probes->safety, out);
 }
 
 void LocalPrediction::add_discs(const MaterialProbes::Lobe& probes, const SurfaceBatch& batch, std::span<float> bend) const {

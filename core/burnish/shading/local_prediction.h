@@ -18,6 +18,7 @@ namespace burnish {
 
 /// What stands for a material in predictions, without any light: made once, shared by its predictors.
 struct MaterialProbes {
+    /// settings.prediction does not count: it is `curvature`.
     MaterialProbes(const Material& material, const DensitySettings& settings);
 
     struct Lobe {
@@ -26,12 +27,12 @@ struct MaterialProbes {
         AlbedoCurve albedo;
     };
     std::vector<Lobe> lobes;
+    float safety;
 };
 
 class LocalPrediction {
 public:
-    /// settings.prediction does not count: it is `curvature`.
-    LocalPrediction(std::shared_ptr<const MaterialProbes> probes, LightChain lights, const DensitySettings& settings);
+    LocalPrediction(std::shared_ptr<const MaterialProbes> probes, LightChain lights);
 
     void predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const;
 
@@ -40,7 +41,6 @@ private:
 
     std::shared_ptr<const MaterialProbes> m_probes;
     LightChain m_lights;
-    float m_safety;
     float m_exposure;  // scales overlays to a mean of kDisplayMean
 };
 

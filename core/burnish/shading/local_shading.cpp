@@ -20,7 +20,7 @@ constexpr size_t kFewestPixels = 32;  // at once, however many taps they have
 void set_own_rays(const LobeTaps& lobe, const SurfaceBatch& batch, size_t begin, size_t end, std::vector<Tap>& taps,
                   TapRays& out) {
     const float side = lobe.lobe().side == Side::transmission ? -1.0f : 1.0f;
-    out.clear();
+    out.rays.clear(), out.weights.clear(), out.ends.clear();
     for (size_t i = begin; i < end; ++i) {
         const ShadingPoint point = shading_point(batch, i, lobe.lobe(), kWorld);
         lobe.at(point, taps);
@@ -81,8 +81,8 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
             set_table_rays({taps.lobe(), *table, kWorld}, batch, begin, end, asked);
         else
             set_own_rays(taps, batch, begin, end, own, asked);
-        found.resize(asked.rays.size());
-        lights.lookup(asked.rays, found);
+        found.resize(std::max(found.size(), asked.count()));
+        lights.lookup(std::span(asked.rays).first(asked.count()), std::span(found).first(asked.count()));
         for (size_t i = begin, first = 0; i < end; first = asked.ends[i++ - begin])
             add_pixel(asked, found, first, asked.ends[i - begin], lobe_scale(batch, i, taps.lobe()), i, out);
         add_area_residuals(taps.lobe(), lights, batch, begin, end, asked, out.overlay, out.samples);

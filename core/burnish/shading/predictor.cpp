@@ -27,15 +27,14 @@ PerPixel operator|(const PerPixel& a, const PerPixel& b) {
 }  // namespace
 
 BandwidthPredictor::BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings)
-    : m_variant(std::make_shared<Variant>(Variant::of(material, light, settings))) {
+    : m_safety(settings.safety), m_variant(std::make_shared<Variant>(Variant::of(material, light, settings))) {
     for (const LobeParameters& lobe : material.lobes) note(lobe);
 }
 
-BandwidthPredictor::BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights,
-                                       const DensitySettings& settings)
-    : m_asks_rays(true), m_is_near(lights.is_near()) {
+BandwidthPredictor::BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights)
+    : m_asks_rays(true), m_is_near(lights.is_near()), m_safety(probes->safety) {
     for (const MaterialProbes::Lobe& own : probes->lobes) note(own.lobe);
-    m_variant = std::make_shared<Variant>(Variant{LocalPrediction(std::move(probes), std::move(lights), settings)});
+    m_variant = std::make_shared<Variant>(Variant{LocalPrediction(std::move(probes), std::move(lights))});
 }
 
 void BandwidthPredictor::note(const LobeParameters& lobe) {

@@ -25,10 +25,13 @@ struct AngularPrediction {
     float reach;     // radian around the reflected direction within which nu_a holds
     float length;    // radian the lobe reaches along its tangent, with which it turns; 0 for round lobes
     float nearness;  // radian that what is seen moves by, per scene unit of the shaded point's way across the ray
+    float shown;     // display signal that the pixel comes to, 1 a white; where lights are near
 };
 
 /// Share of a period 1 / nu_a that interpolation may span, of a display signal from black to white; by calibration.
 inline constexpr float kCellPeriods = 0.16f;
+/// Of a display signal: what interpolation over a cell may miss at its centre where lights are near, safety 1.
+inline constexpr float kMostMissed = 0.01f;
 
 struct MaterialProbes;
 
@@ -38,7 +41,7 @@ public:
     BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings);
 
     /// Under any lights, by `curvature`. `probes`: of the material, see MaterialProbes.
-    BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights, const DensitySettings& settings);
+    BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights);
 
     /// Sets out[i] for pixel i of the batch, safety included. Thread-safe; the same pixel gives the same bits in whatever batch
     /// it comes.
@@ -50,6 +53,7 @@ public:
 
     /// Whether any light is near: then cells end where positions jump.
     bool is_near() const { return m_is_near; }
+    float safety() const { return m_safety; }
 
     struct Variant;  // one kind of prediction
 
@@ -57,6 +61,7 @@ private:
     void note(const LobeParameters& lobe);
 
     bool m_is_anisotropic = false, m_asks_rays = false, m_is_near = false;
+    float m_safety = 1;
     PerPixel m_used_layers;
     std::shared_ptr<const Variant> m_variant;
 };

@@ -11,6 +11,7 @@ namespace {
 constexpr float kBegin = 6, kReach = 3;  // normalised slope; of a ring, outer over inner radius
 constexpr float kWidest = 0.5f;          // tangent of the half angle at which no further ring begins
 constexpr int kCells = 5;                // a ring
+constexpr float kNarrower = 0.7f;        // than its cell a tap is, as the energy is near the inner edge
 
 /// Energy beyond a normalised slope: the inverse of a lobe's border.
 float energy_beyond(float radius, const RadiusOf& radius_of) {
@@ -55,7 +56,7 @@ void TailTaps::at(const ShadingPoint& point, std::span<Tap> taps) const {
             const float wo_h = std::max(point.wo.dot(h), point.wo.z / (2 * h.z));
             const Vec3f wi = lobe.mirrored(h * (2 * point.wo.dot(h)) - point.wo);
             const float omega = (cos_wi(cell.inner) - cos_wi(cell.outer)) * wo_h / kCells;  // over 2 pi
-            taps[i] = {wi, 0.5f * std::log(std::max(omega, 1e-12f)), Color3f(0, 0, 0)};
+            taps[i] = {wi, 0.5f * std::log(std::max(kNarrower * kNarrower * omega, 1e-12f)), Color3f(0, 0, 0)};
             const float cos_i = wi.z * lobe.side_sign, pdf = lobe.D(h) * h.z / (4 * point.wo.dot(h));
             if (cos_i > 0 && pdf > 0) taps[i].weight = lobe.eval(point.wo, wi) * (cos_i * cell.share / pdf);
         }

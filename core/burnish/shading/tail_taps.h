@@ -22,7 +22,7 @@ public:
     explicit TailTaps(const LobeParameters& lobe);
 
     int count() const { return static_cast<int>(m_cells.size()); }
-    /// Writes count() taps, Tap::level the logarithm of their widths in radian (lobe_taps.h).
+    /// Writes count() taps, smooth in the view, Tap::level the logarithm of their widths in radian (lobe_taps.h).
     void at(const ShadingPoint& point, std::span<Tap> taps) const;
 
 private:

@@ -22,30 +22,59 @@ HWY_INLINE void finish_taps(size_t count, PlacedTaps& taps) {
     }
 }
 
+/// Writes the placed taps of pixel i of the batch, `first` to `end`, as the next rays.
+HWY_INLINE void write_rays(const SurfaceBatch& batch, size_t i, const PlacedTaps& taps, size_t first, size_t end,
+                           LightRay* rays) {
+    const Vec3f p = batch.p[i], ng = batch.geometric_normal()[i];
+    for (size_t k = first; k < end; ++k) *rays++ = {p, ng, {taps.x[k], taps.y[k], taps.z[k]}, taps.level[k]};
+}
+
+Weights weights_from(TapRays& out, size_t ray) { return reinterpret_cast<Weights>(&out.weights[ray]); }
+
+/// All taps of prepared pixels [begin, end), few enough for one go; pixel 0 of the block is `first` of the batch.
+void set_block(const LobeTable& lobe, const SurfaceBatch& batch, const PixelBlock& block, size_t first, size_t begin,
+               size_t end, PlacedTaps& taps, TapRays& out) {
+    const size_t all = static_cast<size_t>(lobe.table.tap_count()), from = out.count();
+    size_t ends[PixelBlock::kPixels], at = 0;
+    for (size_t i = begin; i < end; ++i) ends[i] = at = place_taps(lobe, block, i, 0, all, at, taps, weights_from(out, from));
+    finish_taps(at, taps);
+    for (size_t i = begin, k = 0; i < end; k = ends[i++]) {
+        write_rays(batch, first + i, taps, k, ends[i], &out.rays[from + k]);
+        out.ends.push_back(static_cast<uint32_t>(from + ends[i]));
+    }
+}
+
+/// One prepared pixel whose taps are too many for one go.
+void set_pixel(const LobeTable& lobe, const SurfaceBatch& batch, const PixelBlock& block, size_t first, size_t i,
+               PlacedTaps& taps, TapRays& out) {
+    const size_t all = static_cast<size_t>(lobe.table.tap_count());
+    size_t count = out.count();
+    for (size_t tap = 0; tap < all; tap += TapQueue::kCapacity) {
+        const size_t at_once = std::min(all - tap, TapQueue::kCapacity);
+        const size_t placed = place_taps(lobe, block, i, tap, at_once, 0, taps, weights_from(out, count));
+        finish_taps(placed, taps);
+        write_rays(batch, first + i, taps, 0, placed, &out.rays[count]);
+        count += placed;
+    }
+    out.ends.push_back(static_cast<uint32_t>(count));
+}
+
 void set_rays(const LobeTable& lobe, const SurfaceBatch& batch, size_t begin, size_t end, TapRays& out) {
     PixelBlock block;
     PlacedTaps taps;
-    const size_t all = static_cast<size_t>(lobe.table.tap_count());
-    const Vec3Planes& ng = batch.geometric_normal();
-    out.rays.resize((end - begin) * all), out.weights.resize((end - begin) * all + hn::MaxLanes(Lanes())), out.ends.clear();
-    size_t count = 0;
+    const size_t all = static_cast<size_t>(lobe.table.tap_count()), room = (end - begin) * all + hn::MaxLanes(Lanes());
+    const size_t at_once = TapQueue::kCapacity / all;  // pixels
+    if (out.rays.size() < room) out.rays.resize(room), out.weights.resize(room);
+    out.ends.clear();
     for (size_t first = begin; first < end; first += PixelBlock::kPixels) {
         const size_t pixels = std::min(PixelBlock::kPixels, end - first);
         for (size_t i = 0; i < pixels; i += hn::Lanes(Lanes())) prepare_pixels(lobe, batch, first + i, i, block);
-        for (size_t i = 0; i < pixels; ++i) {
-            const Vec3f p = batch.p[first + i], normal = ng[first + i];
-            for (size_t tap = 0; tap < all; tap += TapQueue::kCapacity) {
-                const size_t placed = place_taps(lobe, block, i, tap, std::min(all - tap, TapQueue::kCapacity), 0, taps,
-                                                 reinterpret_cast<Weights>(&out.weights[count]));
-                finish_taps(placed, taps);
-                for (size_t k = 0; k < placed; ++k)
-                    out.rays[count + k] = {p, normal, {taps.x[k], taps.y[k], taps.z[k]}, taps.level[k], lobe.table.side_sign()};
-                count += placed;
-            }
-            out.ends.push_back(static_cast<uint32_t>(count));
-        }
+        for (size_t i = 0; i < pixels; i += std::max<size_t>(at_once, 1))
+            if (at_once > 0)
+                set_block(lobe, batch, block, first, i, std::min(i + at_once, pixels), taps, out);
+            else
+                set_pixel(lobe, batch, block, first, i, taps, out);
     }
-    out.rays.resize(count);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -15,11 +15,11 @@ struct TapRays {
         float rgba[4];
     };
 
-    std::vector<LightRay> rays;
-    std::vector<Weight> weights;  // one a ray, and room for a vector of them
+    std::vector<LightRay> rays;   // and room for more, kept from batch to batch
+    std::vector<Weight> weights;  // the same
     std::vector<uint32_t> ends;   // of each pixel's rays
 
-    void clear() { rays.clear(), weights.clear(), ends.clear(); }
+    size_t count() const { return ends.empty() ? 0 : ends.back(); }
 };
 
 /// The taps of pixels [begin, end) of a batch by their lobe's table, which names widths by their logarithm (lobe_taps.h). What scales

@@ -1,5 +1,6 @@
 // Light of mirrored renders against ray casting of the room that they show.
 #include "box_room.h"
+#include "depth_edges.h"
 
 #include <burnish/light/mirror_light.h>
 
@@ -47,27 +48,6 @@ std::vector<Vec3f> cone(const Vec3f& d, float sigma, int count) {
             frame.to_world(Vec3f(radius * std::cos(2 * kPi * third), radius * std::sin(2 * kPi * third), 1)).normalized());
     }
     return directions;
-}
-
-/// Pixels within `reach` of neighbours that see surfaces away from each other's planes.
-Image near_depth_edges(const MirrorBuffer& buffer, int reach) {
-    const auto at = [](const Image& image, int x, int y) {
-        return Vec3f(image.at(x, y)[0], image.at(x, y)[1], image.at(x, y)[2]);
-    };
-    const auto leaves = [&](int x, int y, int other_x, int other_y) {
-        const Vec3f way = at(buffer.position, other_x, other_y) - at(buffer.position, x, y);
-        return std::fabs(way.dot(at(buffer.normal, x, y))) > 0.1f;
-    };
-    Image near(kWidth, kHeight, 1);
-    for (int y = 0; y + 1 < kHeight; ++y)
-        for (int x = 0; x + 1 < kWidth; ++x) {
-            const bool beside = leaves(x, y, x + 1, y) && leaves(x + 1, y, x, y);
-            const bool below = leaves(x, y, x, y + 1) && leaves(x, y + 1, x, y);
-            for (int j = -reach; (beside || below) && j <= reach; ++j)
-                for (int i = -reach; i <= reach; ++i)
-                    *near.at(std::clamp(x + i, 0, kWidth - 1), std::clamp(y + j, 0, kHeight - 1)) = 1;
-        }
-    return near;
 }
 
 /// Mean difference of luminance between what rays about the mirror's direction meet and what is read where they are found, over the
