@@ -91,13 +91,13 @@ void add_objects(SceneBuilder& b) {
     b.add("box_lacquer", "car-paint", {0.13f, 0.006f, 0.008f}, 0.2f,
           placed(make_box({0.24f, 0.20f, 0.34f}, 0.03f, 5), {{-2.05f, 1.35f, 0.34f}, 32}));
     b.add("ball_plastic", "plastic-gloss", {0.55f, 0.22f, 0.01f}, 0.2f,
-          placed(make_sphere(0.26f, 96), {{2.45f, 1.40f, 0.26f}}));
+          placed(make_sphere(0.26f, 96), {{2.70f, 1.40f, 0.26f}}));
     b.add("ring_rubber", "rubber", {0.03f, 0.10f, 0.08f}, 0.7f,
           placed(make_torus_knot(1, 0, 0.19f, 0.075f, 128, 32), {{1.35f, 1.75f, 0.075f}}));
     b.add("pane_clear", "clear-glass", {0.02f, 0.03f, 0.03f}, 0.1f,
           placed(make_box({0.42f, 0.008f, 0.62f}, 0.004f, 2), {{-1.95f, 0.35f, 0.62f}, 20}));
     b.add("pane_frosted", "frosted-glass", {0.02f, 0.03f, 0.03f}, 0.5f,
-          placed(make_box({0.50f, 0.008f, 0.62f}, 0.004f, 2), {{1.60f, 0.60f, 0.62f}, -16}));
+          placed(make_box({0.50f, 0.008f, 0.62f}, 0.004f, 2), {{1.45f, 0.60f, 0.62f}, -16}));
 }
 
 }  // namespace
