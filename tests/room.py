@@ -1,5 +1,6 @@
 """The room that Cycles rendered, as a job of burnish, with each way to represent the light in it."""
 
+import gzip
 import json
 
 import numpy as np
@@ -62,8 +63,29 @@ def _xyz(channels, name):
     return np.stack([channels[f"ViewLayer.{name}.{c}"] for c in "XYZ"], axis=2).astype(np.float64)
 
 
+def _boxes(folder):
+    """Bounding boxes of what stands on the floor, by the geometry file: (lowest, highest) corners."""
+    corners = {}
+    with gzip.open(folder / "room.obj.gz", "rt") as lines:
+        for line in lines:
+            words = line.split()
+            if words and words[0] == "o":
+                name = words[1]
+            elif words and words[0] == "v":
+                corners.setdefault(name, []).append([float(word) for word in words[1:4]])
+    return [(np.min(points, axis=0), np.max(points, axis=0)) for name, points in corners.items()
+            if name.startswith(("box", "pedestal"))]
+
+
+def _meets(p, d, box):
+    """Whether rays from p along d meet a box."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near, far = (box[0] - p) / d, (box[1] - p) / d
+    return np.minimum(near, far).max(2) < np.maximum(near, far).min(2).clip(0)
+
+
 def sees_floor(folder, channels):
-    """Pixels whose mirror ray ends on the floor, were the room empty."""
+    """Pixels whose mirror ray ends on the floor."""
     eye = np.array(json.loads((folder / "room.json").read_text())["camera"]["matrix_world"])[:3, 3]
     p, n = _xyz(channels, "Position"), _xyz(channels, "Normal")
     view = p - eye
@@ -71,4 +93,5 @@ def sees_floor(folder, channels):
     d = view - 2 * n * (n * view).sum(2, keepdims=True)
     with np.errstate(divide="ignore", invalid="ignore"):
         hit = p - d * (p[..., 2:] / d[..., 2:])
-    return (d[..., 2] < 0) & (np.abs(hit[..., 0]) < 3) & (np.abs(hit[..., 1]) < 4)
+    free = ~np.logical_or.reduce([_meets(p, d, box) for box in _boxes(folder)])
+    return (d[..., 2] < 0) & (np.abs(hit[..., 0]) < 3) & (np.abs(hit[..., 1]) < 4) & free

@@ -113,7 +113,7 @@ Incident TracedLight::averaged(TracedStart& start, const LightRay& ray) const {
     ConeSum sum(cone, m_bundle);
     for (size_t i = 0; i < m_bundle.places().size(); ++i) {
         const Vec3f d = cone.direction(m_bundle.places()[i]);
-        const auto hit = m_scene->tracer().closest(start.origin(), d);
+        const auto hit = m_scene->tracer().closest(start.origin(), d, 0, kInfinitelyFar, start.hidden());
         if (!hit) {
             sum.miss();
             continue;
@@ -127,7 +127,8 @@ Incident TracedLight::averaged(TracedStart& start, const LightRay& ray) const {
 
 ExactLight TracedLight::exact(const LightRay& ray) const {
     const float pdf = m_scene->lamps().pdf(ray.p, ray.d);
-    const auto hit = m_scene->tracer().closest(TracedStart(*m_scene, ray).origin(), ray.d);
+    const TracedStart start(*m_scene, ray);
+    const auto hit = m_scene->tracer().closest(start.origin(), ray.d, 0, kInfinitelyFar, start.hidden());
     if (!hit) return {Color3f(0, 0, 0), 0, pdf};
     return {m_scene->light().radiance(*hit) * m_gain, 1, pdf};
 }

@@ -12,10 +12,11 @@ constexpr float kSameDistance = 1e-3f;  // a lamp's point is seen when its ray g
 }  // namespace
 
 TracedStart::TracedStart(const LitScene& scene, const LightRay& ray)
-    : m_scene(scene), m_p(ray.p), m_ng(ray.ng), m_side(std::copysign(1.0f, ray.ng.dot(ray.d))) {
+    : m_scene(scene), m_p(ray.p), m_ng(ray.ng), m_side(std::copysign(1.0f, ray.ng.dot(ray.d))), m_passes(ray.side < 0) {
     const float size = std::max({std::abs(ray.p.x), std::abs(ray.p.y), std::abs(ray.p.z)});
     const float off = kFarFloat * (size + scene.extent()), reach = kHalfFloat * size + off;
     const auto hit = scene.tracer().closest(ray.p + ray.ng * reach, -ray.ng, 0, 2 * reach);
+    if (hit) m_object = hit->object;
     m_origin = hit ? hit->p + hit->ng * (m_side * off) : ray.p + ray.ng * (m_side * off);
 }
 
@@ -31,7 +32,7 @@ void TracedStart::see(const Lamps::Point& point) {
     const float distance = way.length();
     if (!(way.dot(up()) > 0 && way.dot(point.n) < 0)) return;
     const Vec3f d = way / distance;
-    if (m_scene.tracer().occluded(m_origin, d, distance * (1 - kSameDistance))) return;
+    if (m_scene.tracer().occluded(m_origin, d, distance * (1 - kSameDistance), hidden())) return;
     m_lamps.push_back({d, point.radiance, point.density * distance * distance / -d.dot(point.n), 1 / distance});
 }
 

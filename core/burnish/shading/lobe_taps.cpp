@@ -8,6 +8,8 @@
 namespace burnish {
 namespace {
 
+constexpr int kMostBeforeTail = 10;  // fitted taps; more of them would reach into the tail themselves
+
 /// ln of the width of a Gaussian that weighs as much as a cap of this solid angle: 2 pi sigma^2 = omega.
 float log_sigma_of(float omega) { return 0.5f * std::log(omega / (2 * kPi)); }
 
@@ -20,11 +22,11 @@ EstimatorSettings settled_here(const LobeParameters& lobe, EstimatorSettings set
 }  // namespace
 
 LobeTaps::LobeTaps(const LobeParameters& lobe, const EstimatorSettings& settings, bool with_tail) : m_lobe(lobe) {
-    const EstimatorSettings own = settled_here(lobe, settings);
-    prepare(own);
+    EstimatorSettings own = settled_here(lobe, settings);
     const bool is_short = own.kind == EstimatorKind::fitted || own.kind == EstimatorKind::regular;
-    if (!with_tail || !is_short || settings.kind == EstimatorKind::split_sum) return;
-    m_tail = TailTaps(lobe);
+    if (with_tail && is_short && settings.kind != EstimatorKind::split_sum) m_tail = TailTaps(lobe);
+    if (m_tail.count() > 0 && own.kind == EstimatorKind::fitted) own.samples = std::min(own.samples, kMostBeforeTail);
+    prepare(own);
     if (table() && m_tail.count() > 0) m_table = joined_by_tail(m_table);
 }
 

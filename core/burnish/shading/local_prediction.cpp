@@ -26,7 +26,7 @@ void add_by_mirrored_view(const MaterialProbes::Lobe& probes, const LightChain& 
     for (size_t i = 0; i < batch.size(); ++i) {
         const ShadingPoint point = shading_point(batch, i, probes.lobe, Matrix33f());
         const Vec3f d = point.frame.to_world({-point.wo.x, -point.wo.y, point.wo.z * side});
-        rays.push_back({batch.p[i], batch.geometric_normal()[i], d, image_width({point.mx, point.my}, point.wo.z)});
+        rays.push_back({batch.p[i], batch.geometric_normal()[i], d, image_width({point.mx, point.my}, point.wo.z), side});
     }
     std::vector<Incident> found(rays.size());
     lights.lookup(rays, found);
@@ -83,7 +83,8 @@ void LocalPrediction::add_discs(const MaterialProbes::Lobe& probes, const Surfac
                 const ShadingPoint point = shading_point(batch, i, probes.lobe, sky.world_to_light());
                 const auto lobe = prototype.with_widths(point.mx, point.my);
                 for (const BrightDisc& disc : sky.discs()) {
-                    const LightRay ray{batch.p[i], batch.geometric_normal()[i], disc.direction * to_world, disc.radius()};
+                    const LightRay ray{batch.p[i], batch.geometric_normal()[i], disc.direction * to_world, disc.radius(),
+                                       prototype.side_sign};
                     const float flux = luminance(disc.flux * point.scale * sky.gain()) * m_lights.left_for(link, ray);
                     if (flux > 0) bend[i] += disc_bend(lobe, probes.albedo.typical(), point, disc, flux);
                 }

@@ -56,8 +56,9 @@ void add_pixel(const TapRays& asked, std::span<const Incident> found, size_t fir
 struct LocalArrival {
     const LightChain& lights;
     Vec3f p, ng;
+    float side;
 
-    ExactLight exact(const Vec3f& d) const { return lights.exact({p, ng, d, 0}); }
+    ExactLight exact(const Vec3f& d) const { return lights.exact({p, ng, d, 0, side}); }
     LightDraw sample(const Vec2f& u) const { return lights.sample(p, u); }
 };
 
@@ -94,7 +95,7 @@ void add_local_reference(const LobeParameters& parameters, uint32_t index, const
     visit_lobe(parameters, [&](const auto& prototype) {
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
-            const LocalArrival light{lights, batch.p[i], batch.geometric_normal()[i]};
+            const LocalArrival light{lights, batch.p[i], batch.geometric_normal()[i], prototype.side_sign};
             const uint32_t seed = hash_bits((batch.pixel[i] + batch.band_start) ^ index * 0xc2b2ae35u);
             const ReferenceEstimate estimate =
                 reference_estimate(prototype.with_widths(point.mx, point.my), light, settings, point, seed);
@@ -119,7 +120,8 @@ void add_local_discs(const LobeParameters& parameters, const LightChain& lights,
                 for (const BrightDisc& disc : sky.discs()) {
                     const Color3f shown = disc_light(lobe, {&disc, 1}, point) * point.scale * sky.gain();
                     if (shown == Color3f(0, 0, 0)) continue;
-                    const LightRay ray{batch.p[i], batch.geometric_normal()[i], disc.direction * to_world, disc.radius()};
+                    const LightRay ray{batch.p[i], batch.geometric_normal()[i], disc.direction * to_world, disc.radius(),
+                                       lobe.side_sign};
                     out.overlay[i] += shown * lights.left_for(link, ray);
                 }
             }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kBegin = 6, kReach = 3;  // normalised slope; of a ring, outer over inner radius
 constexpr float kWidest = 0.5f;          // tangent of the half angle at which no further ring begins
+constexpr float kSharp = 0.2f;           // and of the first one: wider lobes' fits hold what their tails matter
 constexpr int kCells = 5;                // a ring
 constexpr float kNarrower = 0.7f;        // than its cell a tap is, as the energy is near the inner edge
 
@@ -30,6 +31,7 @@ TailTaps::TailTaps(const LobeParameters& lobe) : m_lobe(lobe) {
         const RadiusOf radius_of = [&](float xi) { return own.border(xi); };
         if (lobe_tail(radius_of) == LobeTail::gaussian) return;
         const float width = std::sqrt(lobe.mx * lobe.my);
+        if (kBegin * width > kSharp) return;
         for (float inner = kBegin; inner * width < kWidest; inner *= kReach) {
             const float outer = inner * kReach, beyond = outer * width < kWidest ? energy_beyond(outer, radius_of) : 0.0f;
             const float within = energy_beyond(inner, radius_of), median = radius_of(0.5f * (within + beyond));

@@ -23,10 +23,10 @@ HWY_INLINE void finish_taps(size_t count, PlacedTaps& taps) {
 }
 
 /// Writes the placed taps of pixel i of the batch, `first` to `end`, as the next rays.
-HWY_INLINE void write_rays(const SurfaceBatch& batch, size_t i, const PlacedTaps& taps, size_t first, size_t end,
+HWY_INLINE void write_rays(const SurfaceBatch& batch, size_t i, const PlacedTaps& taps, size_t first, size_t end, float side,
                            LightRay* rays) {
     const Vec3f p = batch.p[i], ng = batch.geometric_normal()[i];
-    for (size_t k = first; k < end; ++k) *rays++ = {p, ng, {taps.x[k], taps.y[k], taps.z[k]}, taps.level[k]};
+    for (size_t k = first; k < end; ++k) *rays++ = {p, ng, {taps.x[k], taps.y[k], taps.z[k]}, taps.level[k], side};
 }
 
 Weights weights_from(TapRays& out, size_t ray) { return reinterpret_cast<Weights>(&out.weights[ray]); }
@@ -39,7 +39,7 @@ void set_block(const LobeTable& lobe, const SurfaceBatch& batch, const PixelBloc
     for (size_t i = begin; i < end; ++i) ends[i] = at = place_taps(lobe, block, i, 0, all, at, taps, weights_from(out, from));
     finish_taps(at, taps);
     for (size_t i = begin, k = 0; i < end; k = ends[i++]) {
-        write_rays(batch, first + i, taps, k, ends[i], &out.rays[from + k]);
+        write_rays(batch, first + i, taps, k, ends[i], lobe.table.side_sign(), &out.rays[from + k]);
         out.ends.push_back(static_cast<uint32_t>(from + ends[i]));
     }
 }
@@ -53,7 +53,7 @@ void set_pixel(const LobeTable& lobe, const SurfaceBatch& batch, const PixelBloc
         const size_t at_once = std::min(all - tap, TapQueue::kCapacity);
         const size_t placed = place_taps(lobe, block, i, tap, at_once, 0, taps, weights_from(out, count));
         finish_taps(placed, taps);
-        write_rays(batch, first + i, taps, 0, placed, &out.rays[count]);
+        write_rays(batch, first + i, taps, 0, placed, lobe.table.side_sign(), &out.rays[count]);
         count += placed;
     }
     out.ends.push_back(static_cast<uint32_t>(count));
