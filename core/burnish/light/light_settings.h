@@ -71,7 +71,7 @@ struct TracedSettings {
     std::string albedo;             // map of diffuse reflectance; "" = the materials' base colours
     UpAxis up = UpAxis::automatic;  // of the render's world; OBJ files are in its axes, glTF has Y up and is turned
     int texcoord = 0;               // set of texture coordinates that the maps lie over
-    int rays = 4;                   // that a lookup's cone is averaged from, 1 to 64
+    int rays = 8;                   // that a lookup's cone is averaged from, 1 to 64
 };
 
 struct LightSettings {
