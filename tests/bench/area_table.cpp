@@ -13,7 +13,7 @@
 #include <cstdio>
 
 using namespace burnish;
-namespace burnish { extern float kFine, kCoarse; }
+namespace burnish { extern float kFine, kCoarse, kFineQ, kCoarseQ; }
 
 namespace {
 
@@ -33,6 +33,7 @@ EstimatorSettings estimator(EstimatorKind kind, int samples) {
 struct Shaded {
     Image picture;
     double us, samples;
+    std::vector<float> error;
 };
 
 Image picture_of(const std::vector<Color3f>& colors) {
@@ -53,7 +54,7 @@ Shaded shade(const LobeParameters& lobe, const EstimatorSettings& settings, cons
     double samples = 0;
     for (float s : out.samples) samples += s;
     const double n = static_cast<double>(batch.size());
-    return {picture_of(out.overlay), best / n, samples / n};
+    return {picture_of(out.overlay), best / n, samples / n, out.standard_error};
 }
 
 }  // namespace
@@ -64,8 +65,10 @@ int main(int argc, char** argv) {
     std::vector<float> fines{0.6f};
     std::vector<int> taps{7};
     int columns = 40, rows = 26;
+    float q = 0;
     bool textured = false, solid = true;
     CLI::App app;
+    app.add_option("--q", q);
     app.add_option("--m", widths)->delimiter(',');
     app.add_option("--model", models)->delimiter(',');
     app.add_option("--fine", fines)->delimiter(',');
@@ -85,8 +88,9 @@ int main(int argc, char** argv) {
                     printf("%s,%s,%s,%.2f", model.c_str(), object ? "sphere" : "floor", lamp.name.c_str(), m);
                     for (int n : taps)
                         for (float fine : fines) {
-                            kFine = fine, kCoarse = 2 * fine;
+                            kFine = fine, kCoarse = 2 * fine, kFineQ = q * fine, kCoarseQ = std::max(2 * q, 1e-3f) * fine;
                             const Shaded s = shade(lobe, estimator(EstimatorKind::fitted, n), chain, batch, 3);
+                            if (getenv("DUMP")) { std::vector<std::pair<float,size_t>> e; for (size_t i=0;i<batch.size();++i) e.push_back({std::fabs(s.picture.at(i)[1]-truth.picture.at(i)[1]),i}); std::sort(e.rbegin(),e.rend()); for(int k=0;k<8;++k){size_t i=e[k].second; printf("\n   #%zu p %.2f %.2f %.2f wo.n %.3f got %.4g truth %.4g +- %.2g",i,batch.p.x[i],batch.p.y[i],batch.p.z[i],batch.wo[i].dot(batch.n[i]),s.picture.at(i)[1],truth.picture.at(i)[1],truth.error[i]);} printf("\n");}
                             const Comparison c = compare_images(s.picture, truth.picture, nullptr);
                             printf(" | %d,%.2f: %.1f dB %.4f %.2f us %.1f", n, fine, c.display_psnr_db, c.relative_rms, s.us, s.samples);
                         }

@@ -92,6 +92,16 @@ void AreaLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) 
     }
 }
 
+std::span<const AreaNode> AreaLight::nodes_above(const Vec3f& p, const Vec3f& up, std::vector<AreaNode>& own) const {
+    const auto is_above = [&](const Vec3f& corner) { return up.dot(corner - p) >= 0; };
+    if (m_picture || std::all_of(m_polygon.corners.begin(), m_polygon.corners.end(), is_above)) return m_nodes;
+    std::vector<Vec3f> corners;
+    m_polygon.above(p, up, corners);
+    own.clear();
+    add_area_nodes(corners, m_radiance, own);
+    return own;
+}
+
 Incident AreaLight::incident(const LightRay& ray, const SeenPolygon& seen) const {
     const GaussianPart part = seen.gaussian(ray.d, ray.sigma);
     if (!(part.reach > 0)) return {};

@@ -32,8 +32,9 @@ public:
     bool can_sample() const { return true; }
     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
 
-    /// A few places that stand for the lamp where what it shines on varies slowly over it.
-    std::span<const AreaNode> nodes() const { return m_nodes; }
+    /// A few places that stand for the lamp, where what is shone on varies slowly over it; for what a point sees of it above its
+    /// horizon, the plane across unit vector `up`, unless it is a picture. `own`: memory for them.
+    std::span<const AreaNode> nodes_above(const Vec3f& p, const Vec3f& up, std::vector<AreaNode>& own) const;
     const ConvexPolygon& polygon() const { return m_polygon; }
     bool is_two_sided() const { return m_two_sided; }
 

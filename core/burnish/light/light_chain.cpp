@@ -23,10 +23,11 @@ struct RaysLeft {
     std::vector<LightRay> rays;
     std::vector<uint32_t> places;
 
-    void take(std::span<const LightRay> all, std::span<const float> left) {
+    /// needed: whether those of which nothing is kept are asked, too.
+    void take(std::span<const LightRay> all, std::span<const float> left, std::span<const float> kept, bool needed) {
         rays.clear(), places.clear();
         for (uint32_t i = 0; i < all.size(); ++i)
-            if (left[i] > kNothingLeft) rays.push_back(all[i]), places.push_back(i);
+            if (left[i] > kNothingLeft && (needed || kept.empty() || kept[i] > 0)) rays.push_back(all[i]), places.push_back(i);
     }
 };
 
@@ -38,18 +39,20 @@ const Environment* LightChain::lone_environment() const {
     return light ? &light->environment() : nullptr;
 }
 
-void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
+void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out, std::span<const float> kept) const {
     std::fill(out.begin(), out.end(), Incident());
     std::vector<float> left(rays.size(), 1.0f);
     std::vector<Incident> found;
     RaysLeft asked;
     for (const Link& link : m_links) {
-        asked.take(rays, left);
+        const std::span<const float> own = kept.first(std::min(kept.size(), rays.size()));
+        kept = kept.subspan(own.size());
+        asked.take(rays, left, own, link.blocks);
         found.resize(asked.rays.size());
         std::visit([&](const auto& light) { light.lookup(asked.rays, found); }, *link.light);
         for (size_t k = 0; k < found.size(); ++k) {
             const uint32_t i = asked.places[k];
-            add(found[k], left[i], out[i]);
+            add(found[k], own.empty() ? left[i] : left[i] * own[i], out[i]);
             if (link.blocks) left[i] *= 1 - found[k].cover;
         }
     }

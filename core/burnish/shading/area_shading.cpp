@@ -9,11 +9,12 @@
 
 namespace burnish {
 float kFine = 0.6f, kCoarse = 1.2f;
+float kFineQ = 0.4f, kCoarseQ = 0.8f;
 namespace {
 
-const Matrix33f kWorld;
-
-// spread of the nodes over the lobe's own scale: resolved up to the one, not from the other
+const Matrix33f kWorld;           // lights know their own axes
+constexpr float kLowest = 0.05f;  // cosine: lower nodes count as there when their spread is measured
+constexpr float kWidened = 2;     // lobe whose values bound the derivatives of this one
 
 /// A tap's Gaussian.
 struct TapKernel {
@@ -30,94 +31,119 @@ struct TapKernel {
 
 /// A node as seen from the point.
 struct SeenNode {
-    Vec3f wi;         // world
-    float angle;      // radius of the part it stands for
-    Color3f flux{0};  // arriving, radiance times solid angle
+    Vec3f towards, wi;      // world; local
+    float distance, angle;  // angle: radius of the part it stands for
+    Color3f sent;           // radiance times solid angle
 };
 
-class Residual {
-public:
-    Residual(const AreaLight& light, const LightChain& lights, size_t link) : m_light(light), m_lights(lights), m_link(link) {}
+/// 1 up to `from`, 0 from `to` on.
+float fade(float x, float from, float to) {
+    const float t = std::clamp((to - x) / (to - from), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
 
+/// One lamp, seen from one point after the other.
+class DirectLamp {
+public:
+    DirectLamp(const AreaLight& lamp, const LightChain& lights, size_t link) : m_lamp(lamp), m_lights(lights), m_link(link) {}
+
+    /// Adds to `sum`; returns what is kept of the taps.
     template <class LobeType>
-    Color3f operator()(const LobeType& lobe, const ShadingPoint& point, const Vec3f& p, const Vec3f& ng,
-                       std::span<const TapKernel> taps, float& evaluated) {
-        const float height = m_light.polygon().height(p);
-        if (!(height > 0) && !(m_light.is_two_sided() && height < 0)) return Color3f(0);
-        look_from(p, std::fabs(height));
-        const float w = resolved(lobe, point);
-        if (!(w > 0)) return Color3f(0);
-        Color3f sum(0);
+    float add(const LobeType& lobe, const ShadingPoint& point, const LightRay& at, std::span<const LightRay> rays,
+              std::span<const Color3f> weights, DirectLight& sum) {
+        look_from(point, at);
+        if (m_nodes.empty()) return 1;
+        const float spread = spread_over(lobe, point), w = fade(spread, kFine, kCoarse),
+                    kept = 1 - fade(spread, kFineQ, kCoarseQ);
+        if (!(w > 0)) return 1;
+        m_kernels.clear();
+        if (kept > 0)
+            for (size_t k = 0; k < rays.size(); ++k) m_kernels.emplace_back(rays[k], weights[k] * kept);
+        const auto wide = lobe.with_widths(kWidened * point.mx, kWidened * point.my);
         for (const SeenNode& node : m_nodes) {
-            const Vec3f wi = point.frame.to_local(node.wi);
-            const float cos_i = wi.z * lobe.side_sign, edge = 1 / std::max(node.angle, 1e-4f);
-            Color3f missing(0);
-            if (cos_i > 0)
-                missing = lobe.eval(point.wo, wi) * point.scale *
-                          (cos_i * visible_share(cos_i, point.ng.dot(wi) * lobe.side_sign, edge));
-            const float above = std::clamp(0.5f + 0.5f * ng.dot(node.wi) * lobe.side_sign * edge, 0.0f, 1.0f);
-            for (const TapKernel& tap : taps) missing -= tap.at(node.wi) * above;
-            sum += missing * node.flux * m_lights.left_for(m_link, {p, ng, node.wi, node.angle});
+            const float left = w * m_lights.left_for(m_link, {at.p, at.ng, node.towards, node.angle, lobe.side_sign});
+            const Color3f reflected = value(lobe, point, node), sent = node.sent * left;
+            Color3f missing = reflected;
+            for (const TapKernel& tap : m_kernels) missing -= tap.at(node.towards);
+            sum.radiance += missing * sent;
+            sum.nearness += std::fabs(luminance(reflected * sent)) / node.distance;
+            sum.bend += std::fabs(luminance(value(wide, point, node) * sent)) * kWidened * kWidened / (2 * point.mx * point.my);
         }
-        evaluated += static_cast<float>(m_nodes.size());
-        return sum * w;
+        sum.nodes += static_cast<float>(m_nodes.size());
+        return kept;
     }
 
 private:
-    void look_from(const Vec3f& p, float height) {
+    template <class LobeType>
+    static Color3f value(const LobeType& lobe, const ShadingPoint& point, const SeenNode& node) {
+        const float cosine = node.wi.z * lobe.side_sign, above = point.ng.dot(node.wi) * lobe.side_sign;
+        if (cosine <= 0) return Color3f(0);
+        return lobe.eval(point.wo, node.wi) * point.scale *
+               (cosine * visible_share(cosine, above, 1 / std::max(node.angle, 1e-4f)));
+    }
+
+    void look_from(const ShadingPoint& point, const LightRay& at) {
         m_nodes.clear();
-        for (const AreaNode& node : m_light.nodes()) {
-            const Vec3f way = node.p - p;
+        const float height = m_lamp.polygon().height(at.p);
+        if (!(height > 0) && !(m_lamp.is_two_sided() && height < 0)) return;
+        for (const AreaNode& node : m_lamp.nodes_above(at.p, at.ng * at.side, m_cut)) {
+            const Vec3f way = node.p - at.p;
             const float distance = way.length();
-            m_nodes.push_back(
-                {way / distance, node.radius / distance, node.power * (height / (distance * distance * distance))});
+            const Vec3f towards = way / distance;
+            m_nodes.push_back({towards, point.frame.to_local(towards), distance, node.radius / distance,
+                               node.power * (std::fabs(height) / (distance * distance * distance))});
         }
     }
 
-    /// In slopes of the half vector, in units of the lobe's widths: how far the nodes spread, over the lobe's own scale there, which
-    /// grows with the distance from the peak.
+    /// How far the nodes spread in slopes of the half vector, in the lobe's widths, over the lobe's own scale there, which grows with
+    /// the distance from its peak.
     template <class LobeType>
-    float resolved(const LobeType& lobe, const ShadingPoint& point) const {
+    float spread_over(const LobeType& lobe, const ShadingPoint& point) const {
         Vec2f mean(0, 0);
         float square = 0, nearest = INFINITY;
         for (const SeenNode& node : m_nodes) {
-            Vec2f slope = half_slopes(point.wo, lobe.mirrored(point.frame.to_local(node.wi)));
+            Vec3f wi = lobe.mirrored(node.wi);
+            wi.z = std::max(wi.z, kLowest);
+            Vec2f slope = half_slopes(point.wo, wi);
             slope.x /= point.mx, slope.y /= point.my;
-            const float length2 = slope.length2();
-            mean += slope, square += length2, nearest = std::min(nearest, length2);
+            mean += slope, square += slope.length2(), nearest = std::min(nearest, slope.length2());
         }
         const float count = static_cast<float>(m_nodes.size());
-        const float spread2 = square / count - (mean / count).length2();
-        const float ratio = std::sqrt(std::max(spread2, 0.0f) / (1 + nearest));
-        const float x = std::clamp((kCoarse - ratio) / (kCoarse - kFine), 0.0f, 1.0f);
-        return x * x * (3 - 2 * x);
+        return std::sqrt(std::max(square / count - (mean / count).length2(), 0.0f) / (1 + nearest));
     }
 
-    const AreaLight& m_light;
+    const AreaLight& m_lamp;
     const LightChain& m_lights;
     size_t m_link;
+    std::vector<AreaNode> m_cut;
     std::vector<SeenNode> m_nodes;
+    std::vector<TapKernel> m_kernels;
 };
 
 }  // namespace
 
-void add_area_residuals(const LobeParameters& parameters, const LightChain& lights, const SurfaceBatch& batch,
-                        const TapRaysView& taps, std::span<Color3f> overlay, std::span<float> samples) {
-    std::vector<TapKernel> kernels;
+std::vector<DirectLight> direct_light(const LobeParameters& parameters, const LightChain& lights, const SurfaceBatch& batch,
+                                      const TapRaysView& taps, std::vector<float>& kept) {
+    std::vector<DirectLight> out;
+    kept.clear();
     for (size_t link = 0; link < lights.links().size(); ++link) {
-        const auto* light = std::get_if<AreaLight>(lights.links()[link].light.get());
-        if (!light) continue;
-        Residual residual(*light, lights, link);
+        const auto* lamp = std::get_if<AreaLight>(lights.links()[link].light.get());
+        if (!lamp) continue;
+        out.resize(batch.size()), kept.resize(lights.links().size() * taps.rays.size(), 1.0f);
+        DirectLamp direct(*lamp, lights, link);
         visit_lobe(parameters, [&](const auto& prototype) {
             for (size_t i = 0, begin = 0; i < batch.size(); begin = taps.ends[i++]) {
-                kernels.clear();
-                for (size_t k = begin; k < taps.ends[i]; ++k) kernels.emplace_back(taps.rays[k], taps.weights[k]);
                 const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
                 const auto lobe = prototype.with_widths(point.mx, point.my);
-                overlay[i] += residual(lobe, point, batch.p[i], batch.geometric_normal()[i], kernels, samples[i]);
+                const size_t count = taps.ends[i] - begin;
+                const LightRay at{batch.p[i], batch.geometric_normal()[i], {}, 0, lobe.side_sign};
+                const float share =
+                    direct.add(lobe, point, at, taps.rays.subspan(begin, count), taps.weights.subspan(begin, count), out[i]);
+                std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(link * taps.rays.size() + begin), count, share);
             }
         });
     }
+    return out;
 }
 
 }  // namespace burnish

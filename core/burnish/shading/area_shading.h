@@ -1,12 +1,13 @@
-// What a lobe's few taps leave out under area lights: the difference between lobe and taps, integrated over the lamp itself.
+// Lamps sampled directly, where a lobe is smooth over them: its own values at the lamp's few nodes, in place of its taps.
 //
-// Each tap sees its Gaussian's share of a lamp, however sharp the lamp's edges; so their sum is as far from the truth as the taps
-// are from the lobe, and a lamp in a long tail, or one as small as the gaps between the taps, shows it. There the lobe is smooth
-// over the lamp, and the lamp's own few nodes integrate what is missing:
+// Taps see of a lamp what their Gaussians see, however sharp its edges; so their sum is as far from the truth as they are from the
+// lobe. A lamp in a long tail, or one smaller than the gaps between the taps, shows it. There nodes do better:
 //
-//     L += w  sum over nodes k of  power_k cos_k / r_k^2  (f(wo, wi_k) cos_i  -  sum over taps j of  weight_j K_j(wi_k))
+//     L = (1 - q) taps  +  w sum over nodes k of  E_k (f(wo, wi_k) cos_i  -  (1 - q) sum over taps j of  weight_j K_j(wi_k))
 //
-// w fades from 1 to 0 where nodes would lie too far apart for the lobe to be resolved: there the taps do well alone.
+// E_k: what node k sends; K_j: the taps' Gaussians. w and q fade from 1 to 0 as the nodes spread out over the lobe. Where both are 1 the
+// nodes do all, and taps need not be looked up; where q has faded, they integrate what the taps leave out; where both are 0 they would
+// miss the lobe's peak, and the taps do well alone.
 #pragma once
 
 #include <burnish/light/light_chain.h>
@@ -14,6 +15,7 @@
 #include <burnish/surface/surface_batch.h>
 
 #include <span>
+#include <vector>
 
 namespace burnish {
 
@@ -24,8 +26,17 @@ struct TapRaysView {
     std::span<const uint32_t> ends;  // of each pixel's rays
 };
 
-/// Adds to each pixel's overlay; to `samples`, the nodes that were evaluated.
-void add_area_residuals(const LobeParameters& lobe, const LightChain& lights, const SurfaceBatch& batch,
-                        const TapRaysView& taps, std::span<Color3f> overlay, std::span<float> samples);
+/// What a pixel gets beside its taps.
+struct DirectLight {
+    Color3f radiance{0, 0, 0};
+    float bend = 0;      // bound of its luminance's second derivative with the reflected direction, per radian^2
+    float nearness = 0;  // sum of luminance over distance, per scene unit
+    float nodes = 0;     // evaluated
+};
+
+/// One a pixel. Empty where no lamp is among the lights, else `kept` is set: of each link of the chain, one after the other, what
+/// is still to be taken of each ray.
+std::vector<DirectLight> direct_light(const LobeParameters& lobe, const LightChain& lights, const SurfaceBatch& batch,
+                                      const TapRaysView& taps, std::vector<float>& kept);
 
 }  // namespace burnish

@@ -55,7 +55,10 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
     TapRays asked;
     for (size_t i = 0; i < batch.size(); ++i) asked.add(taps, batch, i);
     std::vector<Incident> found(asked.rays.size());
-    lights.lookup(asked.rays, found);
+    std::vector<float> kept;
+    const std::vector<DirectLight> direct =
+        direct_light(taps.lobe(), lights, batch, {asked.rays, asked.weights, asked.ends}, kept);
+    lights.lookup(asked.rays, found, kept);
     for (size_t i = 0, k = 0; i < batch.size(); ++i) {
         const float before = luminance(out.overlay[i]);
         float bend = 0, nearness = 0, total = 0;
@@ -67,12 +70,15 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
             bend += std::fabs(luminance(asked.weights[k])) * found[k].bend;
             nearness += shown * found[k].nearness, total += shown;
         }
+        if (!direct.empty()) {
+            out.overlay[i] += direct[i].radiance, out.samples[i] += direct[i].nodes;
+            bend += direct[i].bend, nearness += direct[i].nearness, total += std::fabs(luminance(direct[i].radiance));
+        }
         const float own = luminance(out.overlay[i]) - before, all = std::max(before + own, 1e-20f);
         if (!out.bend.empty()) out.bend[i] += bend;
         if (!out.nearness.empty())
             out.nearness[i] += (nearness / std::max(total, 1e-20f) - out.nearness[i]) * std::clamp(own / all, 0.0f, 1.0f);
     }
-    add_area_residuals(taps.lobe(), lights, batch, {asked.rays, asked.weights, asked.ends}, out.overlay, out.samples);
 }
 
 void add_local_reference(const LobeParameters& parameters, uint32_t index, const EstimatorSettings& settings,
