@@ -13,7 +13,7 @@
 #include <cstdio>
 
 using namespace burnish;
-namespace burnish { extern float kFine, kCoarse, kFineQ, kCoarseQ; }
+namespace burnish { extern float kFine, kCoarse, kFineQ, kCoarseQ; extern bool kFocus; }
 
 namespace {
 
@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
     bool textured = false, solid = true;
     CLI::App app;
     app.add_option("--q", q);
+    app.add_option("--focus", kFocus);
     app.add_option("--m", widths)->delimiter(',');
     app.add_option("--model", models)->delimiter(',');
     app.add_option("--fine", fines)->delimiter(',');

@@ -36,6 +36,8 @@ public:
     /// horizon, the plane across unit vector `up`, unless it is a picture. `own`: memory for them.
     std::span<const AreaNode> nodes_above(const Vec3f& p, const Vec3f& up, std::vector<AreaNode>& own) const;
     const ConvexPolygon& polygon() const { return m_polygon; }
+    bool is_solid() const { return !m_picture; }
+    const Color3f& radiance() const { return m_radiance; }
     bool is_two_sided() const { return m_two_sided; }
 
 private:

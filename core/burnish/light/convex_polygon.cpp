@@ -66,6 +66,15 @@ void ConvexPolygon::above(const Vec3f& from, const Vec3f& up, std::vector<Vec3f>
     if (cut.size() < 3) cut.clear();
 }
 
+Vec3f ConvexPolygon::longest_edge() const {
+    Vec3f longest(0, 0, 0);
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const Vec3f edge = corners[(i + 1) % corners.size()] - corners[i];
+        if (edge.length2() > longest.length2()) longest = edge;
+    }
+    return longest.normalized();
+}
+
 bool ConvexPolygon::is_parallelogram() const {
     return corners.size() == 4 && (corners[0] + corners[2] - corners[1] - corners[3]).length() <= kFlat * size;
 }

@@ -1,6 +1,8 @@
 #include <burnish/shading/area_shading.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/light/focused_nodes.h>
+#include <burnish/sampling/tuned_patterns.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/shading_point.h>
 #include <burnish/shading/tap.h>
@@ -9,10 +11,12 @@
 
 namespace burnish {
 float kFine = 0.6f, kCoarse = 1.2f;
+bool kFocus = true;
 float kFineQ = 0.4f, kCoarseQ = 0.8f;
 namespace {
 
 const Matrix33f kWorld;           // lights know their own axes
+constexpr float kFlattest = 0.02f;
 constexpr float kLowest = 0.05f;  // cosine: lower nodes count as there when their spread is measured
 constexpr float kWidened = 2;     // lobe whose values bound the derivatives of this one
 
@@ -50,10 +54,12 @@ public:
     /// Adds to `sum`; returns what is kept of the taps.
     template <class LobeType>
     float add(const LobeType& lobe, const ShadingPoint& point, const LightRay& at, std::span<const LightRay> rays,
-              std::span<const Color3f> weights, DirectLight& sum) {
+              std::span<const Color3f> weights, bool long_tailed, DirectLight& sum) {
+        const bool focused = kFocus && long_tailed && m_lamp.is_solid();
+        if (focused) focus(lobe, point, at); else
         look_from(point, at);
         if (m_nodes.empty()) return 1;
-        const float spread = spread_over(lobe, point), w = fade(spread, kFine, kCoarse),
+        const float spread = focused ? 0 : spread_over(lobe, point), w = fade(spread, kFine, kCoarse),
                     kept = 1 - fade(spread, kFineQ, kCoarseQ);
         if (!(w > 0)) return 1;
         m_kernels.clear();
@@ -86,13 +92,64 @@ private:
         m_nodes.clear();
         const float height = m_lamp.polygon().height(at.p);
         if (!(height > 0) && !(m_lamp.is_two_sided() && height < 0)) return;
-        for (const AreaNode& node : m_lamp.nodes_above(at.p, at.ng * at.side, m_cut)) {
+        see(m_lamp.nodes_above(at.p, at.ng * at.side, m_cut), point, at, height);
+    }
+
+    void see(std::span<const AreaNode> nodes, const ShadingPoint& point, const LightRay& at, float height) {
+        for (const AreaNode& node : nodes) {
             const Vec3f way = node.p - at.p;
             const float distance = way.length();
             const Vec3f towards = way / distance;
             m_nodes.push_back({towards, point.frame.to_local(towards), distance, node.radius / distance,
                                node.power * (std::fabs(height) / (distance * distance * distance))});
         }
+    }
+
+    /// Nodes for a lobe with a long tail.
+    template <class LobeType>
+    void focus(const LobeType& lobe, const ShadingPoint& point, const LightRay& at) {
+        m_nodes.clear();
+        const ConvexPolygon& polygon = m_lamp.polygon();
+        const float height = polygon.height(at.p);
+        if (!(height > 0) && !(m_lamp.is_two_sided() && height < 0)) return;
+        polygon.above(at.p, at.ng * at.side, m_corners);
+        if (m_corners.empty()) return;
+        const Vec3f mirrored(-point.wo.x, -point.wo.y, point.wo.z * lobe.side_sign), peak = point.frame.to_world(mirrored);
+        const Vec3f foot = at.p - polygon.normal * height;
+        const float towards = -polygon.normal.dot(peak) * std::copysign(1.0f, height);
+        const Vec3f aside = peak - polygon.normal * polygon.normal.dot(peak);
+        const Vec3f centre = nearest_place(foot + aside * (std::fabs(height) / std::max(towards, kFlattest)));
+        PlaneQuadratic q;
+        q.origin = centre, q.axis_y = polygon.longest_edge(), q.axis_x = q.axis_y.cross(polygon.normal);
+        const float step = 1e-2f * (centre - at.p).length();
+        const auto slopes = [&](const Vec3f& place) {
+            Vec3f wi = lobe.mirrored(point.frame.to_local((place - at.p).normalized()));
+            wi.z = std::max(wi.z, kLowest);
+            const Vec2f s = half_slopes(point.wo, wi);
+            return Vec2f(s.x / point.mx, s.y / point.my);
+        };
+        const Vec2f s = slopes(centre), sx = (slopes(centre + q.axis_x * step) - slopes(centre - q.axis_x * step)) / (2 * step), sy = (slopes(centre + q.axis_y * step) - slopes(centre - q.axis_y * step)) / (2 * step);
+        const Vec3f off = centre - foot;
+        const float per_height = 1 / (height * height + off.length2());  // 1 + Q of the distance is r^2 / its value at the centre
+        q.xx = sx.dot(sx) + per_height, q.yy = sy.dot(sy) + per_height, q.xy = sx.dot(sy);
+        q.bx = s.dot(sx) + off.dot(q.axis_x) * per_height, q.by = s.dot(sy) + off.dot(q.axis_y) * per_height, q.at_origin = s.length2();
+        m_cut.clear();
+        add_focused_nodes(m_corners, m_lamp.radiance(), q, m_cut);
+        see(m_cut, point, at, height);
+    }
+
+    /// The place of the lamp, as far as it is above the horizon, that is nearest to a place on its plane.
+    Vec3f nearest_place(const Vec3f& place) const {
+        Vec3f best = place;
+        float least = INFINITY;
+        bool inside = true;
+        for (size_t i = 0; i < m_corners.size(); ++i) {
+            const Vec3f &a = m_corners[i], way = m_corners[(i + 1) % m_corners.size()] - a;
+            inside = inside && m_lamp.polygon().normal.dot(way.cross(place - a)) >= 0;
+            const Vec3f on = a + way * std::clamp(way.dot(place - a) / std::max(way.length2(), 1e-20f), 0.0f, 1.0f);
+            if ((place - on).length2() < least) least = (place - on).length2(), best = on;
+        }
+        return inside ? place : best;
     }
 
     /// How far the nodes spread in slopes of the half vector, in the lobe's widths, over the lobe's own scale there, which grows with
@@ -116,6 +173,7 @@ private:
     const LightChain& m_lights;
     size_t m_link;
     std::vector<AreaNode> m_cut;
+    std::vector<Vec3f> m_corners;
     std::vector<SeenNode> m_nodes;
     std::vector<TapKernel> m_kernels;
 };
@@ -132,13 +190,14 @@ std::vector<DirectLight> direct_light(const LobeParameters& parameters, const Li
         out.resize(batch.size()), kept.resize(lights.links().size() * taps.rays.size(), 1.0f);
         DirectLamp direct(*lamp, lights, link);
         visit_lobe(parameters, [&](const auto& prototype) {
+            const bool long_tailed = lobe_tail([&](float xi) { return prototype.border(xi); }) != LobeTail::gaussian;
             for (size_t i = 0, begin = 0; i < batch.size(); begin = taps.ends[i++]) {
                 const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
                 const auto lobe = prototype.with_widths(point.mx, point.my);
                 const size_t count = taps.ends[i] - begin;
                 const LightRay at{batch.p[i], batch.geometric_normal()[i], {}, 0, lobe.side_sign};
                 const float share =
-                    direct.add(lobe, point, at, taps.rays.subspan(begin, count), taps.weights.subspan(begin, count), out[i]);
+                    direct.add(lobe, point, at, taps.rays.subspan(begin, count), taps.weights.subspan(begin, count), long_tailed, out[i]);
                 std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(link * taps.rays.size() + begin), count, share);
             }
         });
