@@ -67,9 +67,10 @@ AreaLight::AreaLight(const AreaSettings& settings, const Color3f& gain, Image pi
             refuse("texture: a picture needs four corners that make a parallelogram, found " +
                    std::to_string(settings.corners.size()) +
                    " corners that do not. Correct the corners or leave the texture out.");
-        m_picture = std::make_shared<const AreaPicture>(std::move(picture));
         const Vec3f u = m_polygon.corners[1] - m_polygon.corners[0], v = m_polygon.corners[3] - m_polygon.corners[0];
+        m_picture = std::make_shared<const AreaPicture>(std::move(picture), u.length() / v.length());
         const Vec3f across_v = v.cross(m_polygon.normal), across_u = m_polygon.normal.cross(u);
+        m_mean = m_picture->mean();
         m_u = across_v / across_v.dot(u), m_v = across_u / across_u.dot(v);
     }
     m_nodes = area_nodes(m_polygon, m_radiance, m_picture.get());

@@ -5,7 +5,7 @@
 // a few Gauss-Legendre points then do for a peak of any width, inside the polygon or out.
 #pragma once
 
-#include <burnish/light/area_nodes.h>
+#include <burnish/base/types.h>
 
 #include <span>
 #include <vector>
@@ -18,8 +18,14 @@ struct PlaneQuadratic {
     float xx = 0, xy = 0, yy = 0, bx = 0, by = 0, at_origin = 0;
 };
 
-/// Sixteen nodes of a convex polygon, appended; fewer where it has no width.
-void add_focused_nodes(std::span<const Vec3f> corners, const Color3f& radiance, const PlaneQuadratic& q,
-                       std::vector<AreaNode>& nodes);
+/// A place and the part of the polygon that it stands for.
+struct FocusedNode {
+    Vec3f p;
+    Vec3f along, across;  // deviations of a rectangle as large as the part, scene units
+    float area;           // weight of the place: the integral of g is the sum of area * g(p)
+};
+
+/// `side` times as many nodes of a convex polygon, side 3 or 4; fewer where it has no width. Written over what is in `nodes`.
+void focus_nodes(std::span<const Vec3f> corners, const PlaneQuadratic& q, int side, std::vector<FocusedNode>& nodes);
 
 }  // namespace burnish

@@ -1,24 +1,28 @@
 #include <burnish/shading/area_shading.h>
 
 #include <burnish/material/lobe.h>
-#include <burnish/light/focused_nodes.h>
 #include <burnish/sampling/tuned_patterns.h>
-#include <burnish/shading/disc_light.h>
-#include <burnish/shading/shading_point.h>
+#include <burnish/shading/half_slopes.h>
+#include <burnish/shading/lobe_on_lamp.h>
 #include <burnish/shading/tap.h>
 
 #include <algorithm>
 
 namespace burnish {
-float kFine = 0.6f, kCoarse = 1.2f;
-bool kFocus = true;
-float kFineQ = 0.4f, kCoarseQ = 0.8f;
 namespace {
 
-const Matrix33f kWorld;           // lights know their own axes
-constexpr float kFlattest = 0.02f;
-constexpr float kLowest = 0.05f;  // cosine: lower nodes count as there when their spread is measured
-constexpr float kWidened = 2;     // lobe whose values bound the derivatives of this one
+const Matrix33f kWorld;  // lights know their own axes
+
+constexpr float kAlone = 0.4f, kNotAlone = 0.8f;           // spread of nodes over the lobe between which q fades
+constexpr float kResolved = 0.8f, kUnresolved = 1.6f;      // and w
+constexpr float kWidened = 2;                              // lobe whose values bound the derivatives of this one
+constexpr int kFocusedOnSolid = 4, kFocusedOnPicture = 3;  // nodes a side
+
+/// 1 up to `from`, 0 from `to` on.
+float fade(float x, float from, float to) {
+    const float t = std::clamp((to - x) / (to - from), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
 
 /// A tap's Gaussian.
 struct TapKernel {
@@ -40,11 +44,23 @@ struct SeenNode {
     Color3f sent;           // radiance times solid angle
 };
 
-/// 1 up to `from`, 0 from `to` on.
-float fade(float x, float from, float to) {
-    const float t = std::clamp((to - x) / (to - from), 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
-}
+/// A pixel's lobe, and its taps.
+template <class LobeType>
+struct PixelLobe {
+    const LobeType& lobe;
+    const ShadingPoint& point;
+    LightRay at;  // p, ng and side
+    std::span<const LightRay> rays;
+    std::span<const Color3f> weights;
+    bool long_tailed;
+
+    Color3f value(const LobeType& own, const SeenNode& node) const {
+        const float cosine = node.wi.z * own.side_sign, above = point.ng.dot(node.wi) * own.side_sign;
+        if (cosine <= 0) return Color3f(0);
+        const float share = visible_share(cosine, above, 1 / std::max(node.angle, 1e-4f));
+        return own.eval(point.wo, node.wi) * point.scale * (cosine * share);
+    }
+};
 
 /// One lamp, seen from one point after the other.
 class DirectLamp {
@@ -53,116 +69,109 @@ public:
 
     /// Adds to `sum`; returns what is kept of the taps.
     template <class LobeType>
-    float add(const LobeType& lobe, const ShadingPoint& point, const LightRay& at, std::span<const LightRay> rays,
-              std::span<const Color3f> weights, bool long_tailed, DirectLight& sum) {
-        const bool focused = kFocus && long_tailed && m_lamp.is_solid();
-        if (focused) focus(lobe, point, at); else
-        look_from(point, at);
-        if (m_nodes.empty()) return 1;
-        const float spread = focused ? 0 : spread_over(lobe, point), w = fade(spread, kFine, kCoarse),
-                    kept = 1 - fade(spread, kFineQ, kCoarseQ);
-        if (!(w > 0)) return 1;
-        m_kernels.clear();
-        if (kept > 0)
-            for (size_t k = 0; k < rays.size(); ++k) m_kernels.emplace_back(rays[k], weights[k] * kept);
-        const auto wide = lobe.with_widths(kWidened * point.mx, kWidened * point.my);
-        for (const SeenNode& node : m_nodes) {
-            const float left = w * m_lights.left_for(m_link, {at.p, at.ng, node.towards, node.angle, lobe.side_sign});
-            const Color3f reflected = value(lobe, point, node), sent = node.sent * left;
-            Color3f missing = reflected;
-            for (const TapKernel& tap : m_kernels) missing -= tap.at(node.towards);
-            sum.radiance += missing * sent;
-            sum.nearness += std::fabs(luminance(reflected * sent)) / node.distance;
-            sum.bend += std::fabs(luminance(value(wide, point, node) * sent)) * kWidened * kWidened / (2 * point.mx * point.my);
+    float add(const PixelLobe<LobeType>& pixel, DirectLight& sum) {
+        m_height = m_lamp.polygon().height(pixel.at.p);
+        if (!(m_height > 0) && !(m_lamp.is_two_sided() && m_height < 0)) return 1;
+        if (pixel.long_tailed && m_lamp.is_solid()) {
+            look_at_focused(pixel, kFocusedOnSolid);
+            add_nodes(pixel, 1, 0, sum);
+            return 0;
         }
-        sum.nodes += static_cast<float>(m_nodes.size());
-        return kept;
+        look_at_own(pixel);
+        if (m_nodes.empty()) return 1;
+        const float spread = spread_over(pixel), q = fade(spread, kAlone, kNotAlone), kept = 1 - q;
+        if (!pixel.long_tailed) {
+            const float w = kept * fade(spread, kResolved, kUnresolved);
+            add_nodes(pixel, w + q, w, sum);
+            return kept;
+        }
+        add_nodes(pixel, q, 0, sum);
+        if (kept > 0) add_coloured(pixel, kept, sum);
+        return 0;
     }
 
 private:
     template <class LobeType>
-    static Color3f value(const LobeType& lobe, const ShadingPoint& point, const SeenNode& node) {
-        const float cosine = node.wi.z * lobe.side_sign, above = point.ng.dot(node.wi) * lobe.side_sign;
-        if (cosine <= 0) return Color3f(0);
-        return lobe.eval(point.wo, node.wi) * point.scale *
-               (cosine * visible_share(cosine, above, 1 / std::max(node.angle, 1e-4f)));
-    }
-
-    void look_from(const ShadingPoint& point, const LightRay& at) {
+    void look_at_own(const PixelLobe<LobeType>& pixel) {
         m_nodes.clear();
-        const float height = m_lamp.polygon().height(at.p);
-        if (!(height > 0) && !(m_lamp.is_two_sided() && height < 0)) return;
-        see(m_lamp.nodes_above(at.p, at.ng * at.side, m_cut), point, at, height);
+        for (const AreaNode& node : m_lamp.nodes_above(pixel.at.p, pixel.at.ng * pixel.at.side, m_own)) look_at(pixel, node);
     }
 
-    void see(std::span<const AreaNode> nodes, const ShadingPoint& point, const LightRay& at, float height) {
-        for (const AreaNode& node : nodes) {
-            const Vec3f way = node.p - at.p;
-            const float distance = way.length();
-            const Vec3f towards = way / distance;
-            m_nodes.push_back({towards, point.frame.to_local(towards), distance, node.radius / distance,
-                               node.power * (std::fabs(height) / (distance * distance * distance))});
-        }
-    }
-
-    /// Nodes for a lobe with a long tail.
     template <class LobeType>
-    void focus(const LobeType& lobe, const ShadingPoint& point, const LightRay& at) {
+    void look_at_focused(const PixelLobe<LobeType>& pixel, int side) {
         m_nodes.clear();
-        const ConvexPolygon& polygon = m_lamp.polygon();
-        const float height = polygon.height(at.p);
-        if (!(height > 0) && !(m_lamp.is_two_sided() && height < 0)) return;
-        polygon.above(at.p, at.ng * at.side, m_corners);
+        m_lamp.polygon().above(pixel.at.p, pixel.at.ng * pixel.at.side, m_corners);
         if (m_corners.empty()) return;
-        const Vec3f mirrored(-point.wo.x, -point.wo.y, point.wo.z * lobe.side_sign), peak = point.frame.to_world(mirrored);
-        const Vec3f foot = at.p - polygon.normal * height;
-        const float towards = -polygon.normal.dot(peak) * std::copysign(1.0f, height);
-        const Vec3f aside = peak - polygon.normal * polygon.normal.dot(peak);
-        const Vec3f centre = nearest_place(foot + aside * (std::fabs(height) / std::max(towards, kFlattest)));
-        PlaneQuadratic q;
-        q.origin = centre, q.axis_y = polygon.longest_edge(), q.axis_x = q.axis_y.cross(polygon.normal);
-        const float step = 1e-2f * (centre - at.p).length();
-        const auto slopes = [&](const Vec3f& place) {
-            Vec3f wi = lobe.mirrored(point.frame.to_local((place - at.p).normalized()));
-            wi.z = std::max(wi.z, kLowest);
-            const Vec2f s = half_slopes(point.wo, wi);
-            return Vec2f(s.x / point.mx, s.y / point.my);
-        };
-        const Vec2f s = slopes(centre), sx = (slopes(centre + q.axis_x * step) - slopes(centre - q.axis_x * step)) / (2 * step), sy = (slopes(centre + q.axis_y * step) - slopes(centre - q.axis_y * step)) / (2 * step);
-        const Vec3f off = centre - foot;
-        const float per_height = 1 / (height * height + off.length2());  // 1 + Q of the distance is r^2 / its value at the centre
-        q.xx = sx.dot(sx) + per_height, q.yy = sy.dot(sy) + per_height, q.xy = sx.dot(sy);
-        q.bx = s.dot(sx) + off.dot(q.axis_x) * per_height, q.by = s.dot(sy) + off.dot(q.axis_y) * per_height, q.at_origin = s.length2();
-        m_cut.clear();
-        add_focused_nodes(m_corners, m_lamp.radiance(), q, m_cut);
-        see(m_cut, point, at, height);
+        const PlaneQuadratic peak = lobe_on_lamp(pixel.point, pixel.at.side, pixel.at.p, m_lamp.polygon(), m_corners);
+        focus_nodes(m_corners, peak, side, m_focused);
+        for (const FocusedNode& node : m_focused)
+            look_at(pixel, {node.p, m_lamp.radiance() * node.area, std::sqrt(node.area / kPi)});
     }
 
-    /// The place of the lamp, as far as it is above the horizon, that is nearest to a place on its plane.
-    Vec3f nearest_place(const Vec3f& place) const {
-        Vec3f best = place;
-        float least = INFINITY;
-        bool inside = true;
-        for (size_t i = 0; i < m_corners.size(); ++i) {
-            const Vec3f &a = m_corners[i], way = m_corners[(i + 1) % m_corners.size()] - a;
-            inside = inside && m_lamp.polygon().normal.dot(way.cross(place - a)) >= 0;
-            const Vec3f on = a + way * std::clamp(way.dot(place - a) / std::max(way.length2(), 1e-20f), 0.0f, 1.0f);
-            if ((place - on).length2() < least) least = (place - on).length2(), best = on;
-        }
-        return inside ? place : best;
-    }
-
-    /// How far the nodes spread in slopes of the half vector, in the lobe's widths, over the lobe's own scale there, which grows with
-    /// the distance from its peak.
     template <class LobeType>
-    float spread_over(const LobeType& lobe, const ShadingPoint& point) const {
+    void look_at(const PixelLobe<LobeType>& pixel, const AreaNode& node) {
+        const Vec3f way = node.p - pixel.at.p;
+        const float distance = std::max(way.length(), std::fabs(m_height));
+        const Vec3f towards = way / distance;
+        m_nodes.push_back({towards, pixel.point.frame.to_local(towards), distance, node.radius / distance,
+                           node.power * (std::fabs(m_height) / (distance * distance * distance))});
+    }
+
+    /// Adds `share` of the lobe less `taken` of its taps.
+    template <class LobeType>
+    void add_nodes(const PixelLobe<LobeType>& pixel, float share, float taken, DirectLight& sum) {
+        if (!(share > 0)) return;
+        m_kernels.clear();
+        for (size_t k = 0; taken > 0 && k < pixel.rays.size(); ++k)
+            m_kernels.emplace_back(pixel.rays[k], pixel.weights[k] * taken);
+        const ShadingPoint& point = pixel.point;
+        const auto wide = pixel.lobe.with_widths(kWidened * point.mx, kWidened * point.my);
+        for (const SeenNode& node : m_nodes) {
+            const LightRay ray{pixel.at.p, pixel.at.ng, node.towards, node.angle, pixel.at.side};
+            const Color3f sent = node.sent * m_lights.left_for(m_link, ray);
+            Color3f missing = pixel.value(pixel.lobe, node) * share;
+            sum.nearness += std::fabs(luminance(missing * sent)) / node.distance;
+            for (const TapKernel& tap : m_kernels) missing -= tap.at(node.towards);
+            sum.radiance += missing * sent;
+            sum.bend +=
+                std::fabs(luminance(pixel.value(wide, node) * sent)) * share * kWidened * kWidened / (2 * point.mx * point.my);
+        }
+        sum.nodes += static_cast<float>(m_nodes.size());
+    }
+
+    /// Adds `share` of the lobe under a picture: what focused nodes have of an even lamp, in the colour that the taps see; in the
+    /// picture's mean, as far as the taps do not see what the nodes do.
+    template <class LobeType>
+    void add_coloured(const PixelLobe<LobeType>& pixel, float share, DirectLight& sum) {
+        look_at_focused(pixel, kFocusedOnPicture);
+        DirectLight even;
+        add_nodes(pixel, share, 0, even);
+        m_found.resize(pixel.rays.size());
+        m_lamp.lookup(pixel.rays, m_found);
+        Color3f seen(0), coloured(0);
+        for (size_t k = 0; k < pixel.rays.size(); ++k) {
+            seen += pixel.weights[k] * m_lamp.radiance() * (m_found[k].cover * share);
+            coloured += pixel.weights[k] * m_found[k].radiance * share;
+        }
+        for (int c = 0; c < 3; ++c) {
+            const float unseen = std::fabs(even.radiance[c] - seen[c]), whole = std::max(seen[c], 0.0f) + unseen;
+            const float light = std::max(coloured[c], 0.0f) + unseen * m_lamp.mean_colour()[c];
+            sum.radiance[c] += whole > 0 ? even.radiance[c] * light / whole : 0.0f;
+        }
+        sum.bend += even.bend * luminance(m_lamp.mean_colour()),
+            sum.nearness += even.nearness * luminance(m_lamp.mean_colour());
+        for (size_t k = 0; k < pixel.rays.size(); ++k)
+            sum.bend += std::fabs(luminance(pixel.weights[k])) * share * m_found[k].bend;
+        sum.nodes += even.nodes + static_cast<float>(pixel.rays.size());
+    }
+
+    /// How far the nodes spread in the lobe's widths, over the lobe's own scale there, which grows with the distance from its peak.
+    template <class LobeType>
+    float spread_over(const PixelLobe<LobeType>& pixel) const {
         Vec2f mean(0, 0);
         float square = 0, nearest = INFINITY;
         for (const SeenNode& node : m_nodes) {
-            Vec3f wi = lobe.mirrored(node.wi);
-            wi.z = std::max(wi.z, kLowest);
-            Vec2f slope = half_slopes(point.wo, wi);
-            slope.x /= point.mx, slope.y /= point.my;
+            const Vec2f slope = scaled_slopes(pixel.point, pixel.lobe.mirrored(node.wi));
             mean += slope, square += slope.length2(), nearest = std::min(nearest, slope.length2());
         }
         const float count = static_cast<float>(m_nodes.size());
@@ -172,10 +181,13 @@ private:
     const AreaLight& m_lamp;
     const LightChain& m_lights;
     size_t m_link;
-    std::vector<AreaNode> m_cut;
+    float m_height = 0;
+    std::vector<AreaNode> m_own;
+    std::vector<FocusedNode> m_focused;
     std::vector<Vec3f> m_corners;
     std::vector<SeenNode> m_nodes;
     std::vector<TapKernel> m_kernels;
+    std::vector<Incident> m_found;
 };
 
 }  // namespace
@@ -190,15 +202,18 @@ std::vector<DirectLight> direct_light(const LobeParameters& parameters, const Li
         out.resize(batch.size()), kept.resize(lights.links().size() * taps.rays.size(), 1.0f);
         DirectLamp direct(*lamp, lights, link);
         visit_lobe(parameters, [&](const auto& prototype) {
-            const bool long_tailed = lobe_tail([&](float xi) { return prototype.border(xi); }) != LobeTail::gaussian;
+            const bool long_tailed = lobe_tail([&](float xi) { return prototype.border(xi); }) == LobeTail::long_tail;
             for (size_t i = 0, begin = 0; i < batch.size(); begin = taps.ends[i++]) {
                 const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
                 const auto lobe = prototype.with_widths(point.mx, point.my);
                 const size_t count = taps.ends[i] - begin;
-                const LightRay at{batch.p[i], batch.geometric_normal()[i], {}, 0, lobe.side_sign};
-                const float share =
-                    direct.add(lobe, point, at, taps.rays.subspan(begin, count), taps.weights.subspan(begin, count), long_tailed, out[i]);
-                std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(link * taps.rays.size() + begin), count, share);
+                const PixelLobe pixel{lobe,
+                                      point,
+                                      {batch.p[i], batch.geometric_normal()[i], {}, 0, lobe.side_sign},
+                                      taps.rays.subspan(begin, count),
+                                      taps.weights.subspan(begin, count),
+                                      long_tailed};
+                std::fill_n(&kept[link * taps.rays.size() + begin], count, direct.add(pixel, out[i]));
             }
         });
     }

@@ -1,13 +1,16 @@
-// Lamps sampled directly, where a lobe is smooth over them: its own values at the lamp's few nodes, in place of its taps.
+// Lamps sampled directly: the lobe's own values at a few nodes of the lamp, in place of its taps or to correct them.
 //
 // Taps see of a lamp what their Gaussians see, however sharp its edges; so their sum is as far from the truth as they are from the
 // lobe. A lamp in a long tail, or one smaller than the gaps between the taps, shows it. There nodes do better:
 //
-//     L = (1 - q) taps  +  w sum over nodes k of  E_k (f(wo, wi_k) cos_i  -  (1 - q) sum over taps j of  weight_j K_j(wi_k))
+//     N = sum over nodes k of  E_k f(wo, wi_k) cos_i,     R = the same of what the taps leave out, f cos_i - sum_j weight_j K_j
 //
-// E_k: what node k sends; K_j: the taps' Gaussians. w and q fade from 1 to 0 as the nodes spread out over the lobe. Where both are 1 the
-// nodes do all, and taps need not be looked up; where q has faded, they integrate what the taps leave out; where both are 0 they would
-// miss the lobe's peak, and the taps do well alone.
+// E_k: what node k sends; K_j: the taps' Gaussians. How they go together depends on the lobe's tail and on the lamp; q and w fade from 1
+// to 0 as the lamp's own nodes (area_nodes.h) spread out over the lobe:
+//
+//     Gaussian tail             L = (1 - q) (taps + w R) + q N: taps are nearly the lobe
+//     long tail, even lamp      L = N, of nodes that gather at the lobe's peak (focused_nodes.h), for any width
+//     long tail, picture        L = q N + (1 - q) N_focused of an even lamp, times the colour that the taps see
 #pragma once
 
 #include <burnish/light/light_chain.h>

@@ -32,6 +32,13 @@ struct TapRays {
         }
         ends.push_back(static_cast<uint32_t>(rays.size()));
     }
+
+    /// kept: as of direct_light.
+    bool is_looked_up(size_t ray, std::span<const float> kept) const {
+        for (size_t i = ray; i < kept.size(); i += rays.size())
+            if (kept[i] > 0) return true;
+        return kept.empty();
+    }
 };
 
 /// All light at one point, for reference_estimate.
@@ -62,9 +69,9 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
     for (size_t i = 0, k = 0; i < batch.size(); ++i) {
         const float before = luminance(out.overlay[i]);
         float bend = 0, nearness = 0, total = 0;
-        out.samples[i] += static_cast<float>(asked.ends[i] - k);
         for (; k < asked.ends[i]; ++k) {
             const Color3f light = asked.weights[k] * found[k].radiance;
+            out.samples[i] += asked.is_looked_up(k, kept) ? 1.0f : 0.0f;
             const float shown = std::fabs(luminance(light));
             out.overlay[i] += light;
             bend += std::fabs(luminance(asked.weights[k])) * found[k].bend;
