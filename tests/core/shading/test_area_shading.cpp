@@ -39,7 +39,7 @@ double sum_over(const AreaLight& light, const LobeParameters& p, const Vec3f& wo
     const std::vector<Vec3f>& corners = light.polygon().corners;
     const Vec3f u = corners[1] - corners[0], v = corners[3] - corners[0];
     return visit_lobe(p, [&](const auto& own) {
-        const int steps = 600;
+        const int steps = 300;
         double sum = 0;
         for (int y = 0; y < steps; ++y)
             for (int x = 0; x < steps; ++x) {
