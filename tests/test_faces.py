@@ -119,13 +119,13 @@ def test_every_setting_shows_up_on_every_face(cli):
             assert re.search(rf"--{name.replace('_', '-')}\b", text), name
         assert setting["help"] in text or name in ("aovs", "materials"), name
         assert f"\n{name}" in burnish.run.__doc__ and f"\n{name}" in burnish.composite.__doc__, name
-        owner = schema if not section else schema[section].get("properties") or schema[section]["additionalProperties"]["properties"]
+        owner = schema if not section else schema[section].get("properties") or schema[section]["additionalProperties"]["anyOf"][0]["properties"]
         assert owner[key]["default"] == setting["default"], name
 
 
 @pytest.mark.parametrize("setting", burnish.settings(), ids=lambda s: s["name"])
 def test_every_setting_refuses_what_it_cannot_hold(setting):
-    wrong = {"no": "such value"} if setting["name"] not in ("channel", "materials", "old_material", "camera") else [1]
+    wrong = {"no": "such value"} if setting["name"] not in ("channel", "materials", "old_material", "camera", "lights") else [1]
     with pytest.raises(burnish.BadArgument, match=setting["name"]):
         burnish.run({}, **{setting["name"]: wrong})
 

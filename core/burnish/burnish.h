@@ -51,6 +51,7 @@
 #include <burnish/output/preview.h>
 #include <burnish/output/report.h>
 
+#include <burnish/job/build_lights.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/job.h>
 #include <burnish/job/look.h>

@@ -56,7 +56,12 @@ Run add_composite(CLI::App& app) {
     add_job_options(*command, *options);
     command->add_flag("-v,--verbose", options->verbose, "also print what was found and why");
     command->add_flag_callback("--schema", print_schema, "print the JSON schema of shot files and end");
-    command->footer("Example: burnish composite beauty.exr --env studio.hdr --material chrome -o out.exr");
+    command->footer(
+        "Lights near the objects (cubemap, mirror, area, traced) have names; rules choose them by these, or pixels by their "
+        "place:\n"
+        "--light 'lamp={\"type\": \"area\", \"corners\": [...]}' --assign gold=index:3@lamp,sky. The README tells their "
+        "fields.\n\n"
+        "Example: burnish composite beauty.exr --env studio.hdr --material chrome -o out.exr");
     return [options] { return composite(*options); };
 }
 

@@ -18,5 +18,6 @@ Run add_envmap(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_models(CLI::App& app);
 Run add_demo(CLI::App& app);
+Run add_bake(CLI::App& app);
 
 }  // namespace burnish::cli

@@ -22,16 +22,6 @@ using nlohmann::ordered_json;
 
 constexpr int kSkyWidth = 2048, kSkySamples = 2, kLightSamples = 512, kBounceSamples = 8, kAntialias = 2, kMatteRanks = 4;
 
-ordered_json triple(const Vec3f& v) { return {to_json_number(v.x), to_json_number(v.y), to_json_number(v.z)}; }
-
-ordered_json camera_json() {
-    const Viewpoint view = demo_viewpoint();
-    return {{"position", triple(view.position)},
-            {"look_at", triple(view.look_at)},
-            {"up", triple(view.up)},
-            {"fov_x_deg", to_json_number(view.fov_x_deg)}};
-}
-
 /// One rule an object, except that all balls wear plastic until a later rule says otherwise, and that the ring is named by its
 /// object index: every way to choose pixels in one shot.
 ordered_json assign_json(const Scene& scene) {
@@ -49,7 +39,7 @@ ordered_json assign_json(const Scene& scene) {
 
 ordered_json shot_json(const Scene& scene) {
     return {{"aovs", "shot.exr"},
-            {"camera", camera_json()},
+            {"camera", camera_json(demo_viewpoint())},
             {"lights", {{"sky", {{"type", "environment"}, {"file", "sky.exr"}, {"convention", "blender"}, {"up", "z"}}}}},
             {"assign", assign_json(scene)},
             {"quality", {{"samples", 37}}},
@@ -82,14 +72,21 @@ void write_sky(const std::string& file, const Image& picture) {
 
 }  // namespace
 
-AovFrame write_demo_shot(const std::filesystem::path& folder, int width, int height, const Progress& progress,
-                         NamedValues<double>& seconds) {
+ordered_json camera_json(const Viewpoint& view) {
+    return {{"position", to_json_vector(view.position)},
+            {"look_at", to_json_vector(view.look_at)},
+            {"up", to_json_vector(view.up)},
+            {"fov_x_deg", to_json_number(view.fov_x_deg)}};
+}
+
+void write_demo_shot(const std::filesystem::path& folder, int width, int height, const Progress& progress,
+                     NamedValues<double>& seconds) {
     const Scene scene = timed(seconds, "make scene", make_demo_scene);
     const ProceduralSky sky;
     const Image picture = timed(seconds, "make sky", [&] { return sky.picture(kSkyWidth, kSkySamples); });
-    AovFrame frame = timed(seconds, "trace", [&] {
+    const AovFrame frame = timed(seconds, "trace", [&] {
         const auto aspect = static_cast<float>(width) / static_cast<float>(height);
-        const Camera camera = camera_from_json(camera_json(), "camera", aspect);
+        const Camera camera = camera_from_json(camera_json(demo_viewpoint()), "camera", aspect);
         const Tracer tracer(scene);
         AovFrame traced = trace_gbuffer(tracer, camera, width, height, part_of(progress, 0.0f, 0.1f));
         traced.cryptomattes.push_back(trace_object_matte(tracer, camera, width, height, kAntialias, kMatteRanks, "CryptoObject",
@@ -102,7 +99,6 @@ AovFrame write_demo_shot(const std::filesystem::path& folder, int width, int hei
         write_sky((folder / "sky.exr").string(), picture);
         write_text((folder / "shot.json").string(), shot_json(scene).dump(2) + "\n");
     });
-    return frame;
 }
 
 }  // namespace burnish::cli

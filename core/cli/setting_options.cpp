@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"output", "-o"}};
+constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {{"output", "-o"}, {"lights", "--light"}};
 
 std::string short_number(double x) {
     char text[32];
@@ -53,8 +53,8 @@ void collect(const Setting& setting, const std::string& text, json& values) {
 
 void add_option(CLI::App& command, const Setting& setting, json& values) {
     std::string names = option_name(setting.name);
-    for (const auto& [name, letter] : kLetters)
-        if (name == setting.name) names = std::string(letter) + "," + names;
+    for (const auto& [name, other] : kOtherNames)
+        if (name == setting.name) names = std::string(other) + "," + names;
     const std::string group = setting.section.empty() ? "Frame and materials" : "Section " + std::string(setting.section);
     const std::string help = std::string(setting.help) + shown_default(setting);
     if (setting.kind == SettingKind::boolean) {

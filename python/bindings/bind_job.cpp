@@ -7,6 +7,7 @@
 
 #include <burnish/base/parallel.h>
 #include <burnish/composite/sample_grid.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/run.h>
@@ -71,6 +72,20 @@ AovFrame frame_from_python(const py::object& arrays, const Job& job, const Wardr
     });
 }
 
+constexpr float kLightShare = 0.3f;  // of progress, for lights near the objects
+
+Look look_of(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environment> environment, const LightFrame& of_light,
+             const Progress& progress, NamedValues<double>& seconds) {
+    const ColorFlow color(job);
+    Rig rig = timed(seconds, "light", [&] {
+        Rig loaded =
+            build_rig(job, wardrobe.rules, color, std::move(environment), of_light, part_of(progress, 0.0f, kLightShare));
+        load_frame_lights(loaded, color, of_light);
+        return loaded;
+    });
+    return timed(seconds, "tables", [&] { return prepare_look(job, std::move(wardrobe), std::move(rig)); });
+}
+
 py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays, const py::object& light,
                          const py::object& masks, const py::dict& settings, const py::object& callback) {
     Job job;
@@ -89,16 +104,20 @@ py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays
     if (fine) check_samples(sample_grid(frame, *fine), frame, *fine);
     const AovFrame* samples = fine ? &*fine : nullptr;
     const auto environment = light_from_python(job, light, frame.renderer);
+    const LightFrame of_light{frame.renderer, (fine ? *fine : frame).camera, {}};
     FrameReport report;
     FrameResult result = python_progress.run([&](const Progress& progress) {
         NamedValues<double> seconds;
-        const Look look = timed(seconds, "tables", [&] { return prepare_look(job, std::move(wardrobe), environment); });
-        FrameResult done = run_frame(job, frame, samples, look, assignment ? &*assignment : nullptr, progress);
+        const Look look = look_of(job, std::move(wardrobe), environment, of_light, progress, seconds);
+        const float begin = job.lights.empty() ? 0.0f : kLightShare;
+        FrameResult done =
+            run_frame(job, frame, samples, look, assignment ? &*assignment : nullptr, part_of(progress, begin, 1.0f));
         ColorFlow(job).to_output(done.composite);
         report = frame_report(job, frame, samples, look, done.tally);
         report.seconds.insert(report.seconds.begin(), seconds.begin(), seconds.end());
         const auto add = [&](const auto& lines) { report.warnings.insert(report.warnings.end(), lines.begin(), lines.end()); };
-        add(look.wardrobe.warnings), add(environment->warnings());
+        add(look.wardrobe.warnings), add(look.rig.warnings);
+        report.notes.insert(report.notes.end(), look.rig.notes.begin(), look.rig.notes.end());
         return done;
     });
     return to_python(std::move(result), report);

@@ -21,6 +21,7 @@ std::shared_ptr<const Environment> light_from_python(Job& job, const py::object&
         return light_from_picture(job, ColorFlow(job), std::move(picture), renderer);
     }
     if (!light.is_none()) set_settings(job, {{"env", to_json(light)}}, "light");
+    if (job.environment.empty() && !job.lights.empty()) return nullptr;
     const py::gil_scoped_release unlocked;
     return load_light(job, ColorFlow(job), renderer);
 }

@@ -1,4 +1,5 @@
-// What Python may give as a light: a path, a picture as array, an Environment, or None for the job's own.
+// What Python may give as the environment: a path, a picture as array, an Environment, or None for the job's own; null where the
+// job has other lights and no environment.
 #pragma once
 
 #include <burnish/input/renderer.h>

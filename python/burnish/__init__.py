@@ -107,7 +107,8 @@ def composite(
         An EXR, or role name -> ndarray of shape (height, width, channels) or (height, width), float32, linear; see
         `roles`. A beauty of four channels holds alpha in the fourth.
     light : str or os.PathLike or ndarray or Environment
-        Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already.
+        Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already. None: that of the
+        settings `env` or `lights`, if there is one.
     materials : str or dict, optional
         What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
     fine_aovs : str or os.PathLike or dict, optional

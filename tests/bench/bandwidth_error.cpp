@@ -88,9 +88,8 @@ struct Case {
         const AovFrame frame = scenes::sphere_frame(2 * radius);
         const Assignment assignment = scenes::whole_frame(frame);
         const Surfaces surfaces(frame, assignment, {});
-        Wardrobe wardrobe;
-        wardrobe.materials = {{"bench", Color3f(0, 0, 0), {scenes::lobe_of(kModels.at(study.model), m, m)}}};
-        const std::vector<MaterialShader> shaders{MaterialShader(wardrobe.materials[0], light, {})};
+        const std::vector<Material> materials{{"bench", Color3f(0, 0, 0), {scenes::lobe_of(kModels.at(study.model), m, m)}}};
+        const std::vector<MaterialShader> shaders{MaterialShader(materials[0], light, {})};
         const Image overlay = shade_dense(surfaces, assignment, shaders, {}).overlay;
         SurfaceBatch all;
         surfaces.gather({0, 0, overlay.width, overlay.height}, 0, all);
@@ -103,7 +102,8 @@ struct Case {
         for (const std::string& prediction : study.predictions) {
             DensitySettings settings = study.density;
             settings.prediction = kPredictions.at(prediction);
-            const BandwidthLook look = prepare_bandwidth(wardrobe, light, settings);
+            const BandwidthLook look{{BandwidthPredictor(materials[0], light, settings)},
+                                     prepare_variances(materials, light, settings)};
             const BandwidthLayers layers = bandwidth_layers(frame, assignment, surfaces, look, EstimatorKind::fitted, {});
             std::vector<AngularPrediction> angular(all.size());
             const double predict_ns = nanoseconds(all, [&] { look.predictors[0].predict(all, angular); });

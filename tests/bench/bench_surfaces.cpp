@@ -3,6 +3,8 @@
 #include "core/scenes.h"
 
 #include <burnish/base/parallel.h>
+#include <burnish/job/build_lights.h>
+#include <burnish/job/color_flow.h>
 #include <burnish/job/run_frame.h>
 
 #include <benchmark/benchmark.h>
@@ -29,15 +31,12 @@ std::vector<AssignRule> rules() { return {{"metal", {}, {}, {}}, {"paint", 2, {}
 
 /// Materials without lobes: a look that shades in no time.
 Look look_of_nothing(const std::shared_ptr<const Environment>& light) {
-    Look look;
-    look.wardrobe.rules = rules();
-    look.light = light;
-    for (const AssignRule& rule : look.wardrobe.rules) {
-        look.wardrobe.materials.push_back({rule.material, Color3f(0, 0, 0), {}});
-        look.wardrobe.kd.push_back(Color3f(0, 0, 0));
-        look.shaders.emplace_back(look.wardrobe.materials.back(), *light, EstimatorSettings{});
-    }
-    return look;
+    Job job;
+    job.assign = rules(), job.density.density = ShadingDensity::dense;
+    for (const AssignRule& rule : job.assign) job.materials[rule.material] = {rule.material, Color3f(0, 0, 0), {}};
+    Wardrobe wardrobe = prepare_wardrobe(job);
+    Rig rig = build_rig(job, wardrobe.rules, ColorFlow(job), light, {}, {});
+    return prepare_look(job, std::move(wardrobe), std::move(rig));
 }
 
 /// Nanoseconds a pixel, and page faults a frame.

@@ -40,7 +40,8 @@ const std::map<std::string, Quadrature> kQuadratures{
     {"half_vector", Quadrature::half_vector}, {"energy", Quadrature::energy}, {"energy_squared", Quadrature::energy_squared}};
 const std::map<std::string, PatternKind> kPatterns{
     {"automatic", PatternKind::automatic}, {"circles", PatternKind::circles}, {"offset_circles", PatternKind::offset_circles},
-    {"ring", PatternKind::ring},           {"line", PatternKind::line},       {"tuned", PatternKind::tuned}};
+    {"ring", PatternKind::ring},           {"rings", PatternKind::rings},     {"line", PatternKind::line},
+    {"tuned", PatternKind::tuned}};
 
 /// Root of mean (a - b)^2 over mean b^2, over the shaded pixels seen steeper than `max_cosine`.
 double relative_rms(const Image& image, const Image& reference, const Image& cosine, float max_cosine) {
@@ -159,7 +160,7 @@ int main(int argc, char** argv) {
     app.add_option("--quadratures", sweep.quadratures, "half_vector, energy, energy_squared")
         ->delimiter(',')
         ->capture_default_str();
-    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, line, tuned")
+    app.add_option("--patterns", sweep.patterns, "automatic, circles, offset_circles, ring, rings, line, tuned")
         ->delimiter(',')
         ->capture_default_str();
     app.add_flag("--uncorrected", sweep.uncorrected, "without the albedo correction");

@@ -217,7 +217,7 @@ private:
         std::vector<Color3f> overlay(m_batch.size(), Color3f(0));
         std::vector<float> samples(m_batch.size()), square(m_batch.size()), weight(m_batch.size());
         const auto& stack = light.pyramid().stack();
-        add_table_shading({lobe, table, stack, CubePyramid::kDistortion, light.world_to_light(), light.gain()}, m_batch,
+        add_table_shading({{lobe, table, light.world_to_light()}, stack, CubePyramid::kDistortion, light.gain()}, m_batch,
                           {overlay, samples, square, weight});
         const LightBandwidth nu_a(light);
         const LobeBandwidth nu_rho(lobe);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace burnish {
@@ -81,6 +82,14 @@ float JsonFields::number(std::string_view key, NumberRange range) const {
     return value.get<float>();
 }
 
+int JsonFields::whole_number(std::string_view key, NumberRange range, int fallback) const {
+    if (!has(key)) return fallback;
+    const json& value = at(key);
+    if (!holds(range, value) || value.get<double>() != std::floor(value.get<double>()))
+        fail_expected(path(key), "a whole number from " + shown(range), value);
+    return value.get<int>();
+}
+
 Color3f JsonFields::color(std::string_view key, NumberRange range) const {
     const json& value = at(key);
     if (holds(range, value)) return Color3f(value.get<float>());
@@ -90,8 +99,27 @@ Color3f JsonFields::color(std::string_view key, NumberRange range) const {
     return {value[0].get<float>(), value[1].get<float>(), value[2].get<float>()};
 }
 
+bool JsonFields::boolean(std::string_view key, bool fallback) const {
+    if (!has(key)) return fallback;
+    if (!at(key).is_boolean()) fail_expected(path(key), "true or false", at(key));
+    return at(key).get<bool>();
+}
+
+std::string JsonFields::text(std::string_view key) const {
+    if (!has(key)) return "";
+    if (!at(key).is_string()) fail_expected(path(key), "text in quotes", at(key));
+    return at(key).get<std::string>();
+}
+
 std::string JsonFields::name(std::string_view key, std::span<const std::string_view> known) const {
     return name_from_json(at(key), path(key), known);
+}
+
+Vec3f vector_from_json(const json& value, const std::string& where) {
+    constexpr NumberRange kCoordinates{-1e12, 1e12};
+    const auto usable = [&](const json& x) { return holds(kCoordinates, x); };
+    if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, usable)) fail_expected(where, "[x, y, z]", value);
+    return {value[0].get<float>(), value[1].get<float>(), value[2].get<float>()};
 }
 
 std::string name_from_json(const json& value, const std::string& where, std::span<const std::string_view> known) {
@@ -117,6 +145,10 @@ json to_json_number(float value) {
     double shortest = 0;
     std::from_chars(text, end, shortest);
     return shortest;
+}
+
+json to_json_vector(const Vec3f& value) {
+    return json::array({to_json_number(value.x), to_json_number(value.y), to_json_number(value.z)});
 }
 
 json to_json_color(const Color3f& color) {

@@ -12,6 +12,9 @@
 
 namespace burnish {
 
+/// [x, y, z], coordinates of at most 1e12; `where` is the path to `value`. Throws Error(bad_argument).
+Vec3f vector_from_json(const nlohmann::json& value, const std::string& where);
+
 /// Numbers a field may hold, ends included.
 struct NumberRange {
     double min, max;
@@ -35,11 +38,18 @@ public:
     float number(std::string_view key, NumberRange range, float fallback) const {
         return has(key) ? number(key, range) : fallback;
     }
+    int whole_number(std::string_view key, NumberRange range, int fallback) const;
     /// A list of three numbers, or one number for all three.
     Color3f color(std::string_view key, NumberRange range) const;
     Color3f color(std::string_view key, NumberRange range, const Color3f& fallback) const {
         return has(key) ? color(key, range) : fallback;
     }
+    /// A list of three numbers.
+    Vec3f vector(std::string_view key) const { return vector_from_json(at(key), path(key)); }
+    Vec3f vector(std::string_view key, const Vec3f& fallback) const { return has(key) ? vector(key) : fallback; }
+    bool boolean(std::string_view key, bool fallback) const;
+    /// Any text, or "" where the field is absent.
+    std::string text(std::string_view key) const;
     /// A text out of `known`.
     std::string name(std::string_view key, std::span<const std::string_view> known) const;
 
@@ -62,6 +72,7 @@ std::string name_from_json(const nlohmann::json& value, const std::string& where
 
 /// A float as the shortest decimal number that reads back as the same float: 0.1f becomes 0.1, not 0.10000000149.
 nlohmann::json to_json_number(float value);
+nlohmann::json to_json_vector(const Vec3f& value);
 /// One number when all channels agree, else a list of three.
 nlohmann::json to_json_color(const Color3f& color);
 

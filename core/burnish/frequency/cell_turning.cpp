@@ -2,6 +2,7 @@
 
 #include <burnish/base/parallel.h>
 #include <burnish/frequency/layer_change.h>
+#include <burnish/frequency/position_step.h>
 #include <burnish/frequency/turning_rows.h>
 
 #include <cmath>
@@ -15,6 +16,12 @@ struct CellTurning::Pixels {
     const Surfaces& surfaces;
     const Assignment& assignment;
     LayerChange layers;
+    PositionStep steps;
+
+    void add_changes(int y, int first, int count, int dx, int dy, float* squares) const {
+        layers.add(y, first, count, dx, dy, squares);
+        steps.add(y, first, count, dx, dy, squares);
+    }
 };
 
 namespace {
@@ -37,7 +44,7 @@ struct ReadRow {
                                     : std::numeric_limits<float>::quiet_NaN();
         }
         compare_rows(pixels, pixels, 1, static_cast<size_t>(width), along.data());
-        frame.layers.add(y, first, width, 1, 0, along.data());
+        frame.add_changes(y, first, width, 1, 0, along.data());
     }
 
     TurningRow pixels;
@@ -46,14 +53,16 @@ struct ReadRow {
 
 }  // namespace
 
-CellTurning::CellTurning(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment, const PerPixel& used)
+CellTurning::CellTurning(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment, const PerPixel& used,
+                         AtSteps at_steps)
     : m_columns((assignment.width + kLargest - 1) / kLargest),
       m_rows((assignment.height + kLargest - 1) / kLargest),
       m_valid(static_cast<size_t>(m_columns) * static_cast<size_t>(m_rows)) {
     for (int level = 0; level < kLevels; ++level)
         m_levels[static_cast<size_t>(level)].resize(static_cast<size_t>(columns(level)) * static_cast<size_t>(rows(level)));
     const Pixels pixels{frame.layer(Role::normal), surfaces, assignment,
-                        LayerChange(frame, used, surfaces.roughness_is_alpha())};
+                        LayerChange(frame, used, surfaces.roughness_is_alpha()),
+                        at_steps == AtSteps::end ? PositionStep(frame) : PositionStep()};
     for_each_index(m_rows, [&](int strip) {
         note_valid(surfaces, assignment, strip);
         for (int begin = 0, end; begin < m_columns; begin = end) {
@@ -88,7 +97,7 @@ void CellTurning::fill_smallest(const Pixels& pixels, int strip, int begin, int 
     for (int y = strip * kLargest; y < (strip + 1) * kLargest; ++y, std::swap(here, below)) {
         below.read(pixels, y + 1, first, width);
         compare_rows(here.pixels, below.pixels, 0, count + 1, down.data());
-        pixels.layers.add(y, first, width + 1, 0, 1, down.data());
+        pixels.add_changes(y, first, width + 1, 0, 1, down.data());
         add_largest_sides(here.along.data(), below.along.data(), down.data(), count, cells(0, y / 2) + first / 2);
     }
 }

@@ -16,13 +16,18 @@
 
 namespace burnish {
 
+/// Whether cells end where positions jump, see PositionStep: under light that is near, a table's edge and the floor behind it
+/// reflect different things.
+enum class AtSteps { go_on, end };
+
 class CellTurning {
 public:
     static constexpr int kLevels = 4, kLargest = 16;  // pixels
     static constexpr int cell_size(int level) { return 2 << level; }
 
     /// `used`: layers that some lobe reads. Where one of them jumps no cell goes across; a change of roughness counts as turning.
-    CellTurning(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment, const PerPixel& used);
+    CellTurning(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment, const PerPixel& used,
+                AtSteps at_steps = AtSteps::go_on);
 
     /// Cells per row and column of a level; they cover the frame.
     int columns(int level) const { return m_columns << (kLevels - 1 - level); }

@@ -1,4 +1,5 @@
-// Which material each pixel wears: rules over object index, material index and cryptomatte names; later rules win.
+// Which material each pixel wears, and by which lights it is lit: rules over object index, material index and cryptomatte names;
+// later rules win.
 #pragma once
 
 #include <burnish/input/frame.h>
@@ -14,8 +15,9 @@ namespace burnish {
 struct AssignRule {
     std::string material;  // name in the job's materials, a preset or a file
     std::optional<int> object_index, material_index;
-    std::string cryptomatte;  // object names as in matching_ids(), "" = none; "CryptoMaterial:brass*"
-                              // looks in that cryptomatte instead of the first that lists a match
+    std::string cryptomatte;              // object names as in matching_ids(), "" = none; "CryptoMaterial:brass*"
+                                          // looks in that cryptomatte instead of the first that lists a match
+    std::vector<std::string> chain = {};  // names of its lights, the first in front; empty: the job's
 };
 
 /// Per pixel: index into the list of rules (-1 = none) and the share of the pixel it covers, in [0, 1].

@@ -68,6 +68,7 @@ std::vector<Possibility> possibilities(const AovFrame& frame) {
     const bool has_ids = frame.has(Role::object_id) || frame.has(Role::material_id);
     return {
         {"add", "overlay over the frame", overlay},
+        {"lights", "cube maps, mirrors, area lights and traced scenes around the objects", overlay},
         {"replace", "overlay in place of the rendered specular", overlay + beauty + missing_specular(frame)},
         {"difference", "new minus old material over the frame", overlay + beauty},
         {"diffuse", "the diffuse part from its passes", missing_diffuse(frame)},

@@ -16,7 +16,7 @@ struct Possibility {
     std::vector<std::string> missing;  // empty: it can be done
 };
 
-/// add, replace, difference, diffuse, objects, cryptomatte, anisotropy; for a frame read with all roles and cryptomattes.
+/// add, lights, replace, difference, diffuse, objects, cryptomatte, anisotropy; for a frame read with all roles and cryptomattes.
 std::vector<Possibility> possibilities(const AovFrame& frame);
 
 /// Lines for people: windows, decisions, warnings, possibilities.

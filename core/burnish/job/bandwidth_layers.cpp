@@ -15,6 +15,7 @@ namespace {
 constexpr float kNyquist = 0.5f / kCellPeriods;
 constexpr int kVarianceDirections = 16;  // the source's n_b
 constexpr int kScaleHeight = 12;         // pixels
+constexpr float kUnknown = -1;           // variance
 
 struct Pixels {
     const ScreenCurvature& curvature;
@@ -25,7 +26,8 @@ struct Pixels {
         const size_t pixel = batch.pixel[i];
         const float c = curvature.at(pixel), d = (curvature.eye() - batch.p[i]).length();
         const float turn = curvature.pixel_angle() * reflection_turn(c, batch.n[i].dot(batch.wo[i]), d);
-        const float nu_a = angular.nu_a * kNyquist, b = nu_a * turn;
+        const float shear = angular.nearness * curvature.pixel_angle() * d;
+        const float nu_a = angular.nu_a * kNyquist, b = nu_a * (turn + shear);
         *layers.curvature.at(pixel) = c;
         *layers.nu_a.at(pixel) = nu_a, *layers.bandwidth.at(pixel) = b;
         *layers.level.at(pixel) = shading_level(b, layers.level.width, layers.level.height);
@@ -34,26 +36,29 @@ struct Pixels {
     }
 };
 
+/// `count`: of shaded pixels.
 void scale_to_mean_one(Image& samples, size_t count) {
     double sum = 0;
-    for (const float value : samples.data) sum += value;
-    if (!(sum > 0)) return;
-    const auto scale = static_cast<float>(static_cast<double>(count) / sum);
-    for (float& value : samples.data) value *= scale;
+    for (const float value : samples.data) {
+        if (value == kUnknown)
+            --count;
+        else
+            sum += value;
+    }
+    const float scale = sum > 0 ? static_cast<float>(static_cast<double>(count) / sum) : 1.0f;
+    for (float& value : samples.data) value = value == kUnknown ? 1.0f : value * scale;
 }
 
 }  // namespace
 
-BandwidthLook prepare_bandwidth(const Wardrobe& wardrobe, const Environment& light, const DensitySettings& settings) {
-    BandwidthLook look;
+Variances prepare_variances(const std::vector<Material>& materials, const Environment& light, const DensitySettings& settings) {
+    Variances variances;
     DensitySettings of_variance = settings;
     if (settings.directions == 0) of_variance.directions = kVarianceDirections;
     const auto nu_light = std::make_shared<const LightBandwidth>(light);
-    for (const Material& material : wardrobe.materials) {
-        look.predictors.emplace_back(material, light, settings);
-        look.variances.emplace_back(material, light, of_variance, nu_light);
-    }
-    return look;
+    for (const Material& material : materials)
+        variances.push_back(std::make_shared<const WaveletPrediction>(material, light, of_variance, nu_light));
+    return variances;
 }
 
 BandwidthLayers bandwidth_layers(const AovFrame& frame, const Assignment& assignment, const Surfaces& surfaces,
@@ -63,16 +68,18 @@ BandwidthLayers bandwidth_layers(const AovFrame& frame, const Assignment& assign
     BandwidthLayers layers{none, Image(width, height, 1, shading_level(0, width, height)), none, none, none, none};
     const ScreenCurvature curvature(frame, assignment, surfaces);
     const Pixels pixels{curvature, estimator, layers};
+    PathBandwidth unknown;
+    unknown.variance = unknown.preconvolved_variance = kUnknown;
     for_each_tile(width, height, progress, "predicting", [&](const Window& tile) {
         SurfaceBatch batch;
         std::vector<AngularPrediction> angular;
         std::vector<PathBandwidth> paths;
-        for (size_t rule = 0; rule < look.predictors.size(); ++rule) {
-            surfaces.gather(tile, static_cast<int>(rule), batch);
+        for (size_t own = 0; own < look.predictors.size(); ++own) {
+            surfaces.gather(tile, static_cast<int>(own), batch);
             if (batch.size() == 0) continue;
-            angular.assign(batch.size(), {}), paths.assign(batch.size(), {});
-            look.predictors[rule].predict(batch, angular);
-            look.variances[rule].predict(batch, std::span(paths));
+            angular.assign(batch.size(), {}), paths.assign(batch.size(), look.variances[own] ? PathBandwidth() : unknown);
+            look.predictors[own].predict(batch, angular);
+            if (look.variances[own]) look.variances[own]->predict(batch, std::span(paths));
             for (size_t i = 0; i < batch.size(); ++i) pixels.set(batch, i, angular[i], paths[i]);
         }
     });

@@ -19,18 +19,20 @@ struct BandwidthLayers {
     Image level;      // of the grid that is fine enough: a sample every 2^level pixels, see shading_level
     Image samples;    // per pixel for equal noise, by the predicted variance, relative to the mean over shaded pixels
     Image curvature;  // of the surface, 1/unit
-    Image nu_a;    // of the overlay, cycles per radian of the reflected direction; `bandwidth` is this times the turn per pixel
+    Image nu_a;    // of the overlay, cycles per radian of the reflected direction; `bandwidth` is this times the turn per pixel, shear included
     Image shaded;  // 1 where a pixel has a prediction
 };
 
-/// What predicts them, entry i for rule i.
+using Variances = std::vector<std::shared_ptr<const WaveletPrediction>>;
+
+/// Of each material under the environment alone, which must outlive the result.
+Variances prepare_variances(const std::vector<Material>& materials, const Environment& light, const DensitySettings& settings);
+
+/// What predicts them: entry i for look i of a frame. A variance is null under other light: there it is not known, and `samples` is 1.
 struct BandwidthLook {
     std::vector<BandwidthPredictor> predictors;
-    std::vector<WaveletPrediction> variances;
+    Variances variances;
 };
-
-/// The environment of the look must outlive the result.
-BandwidthLook prepare_bandwidth(const Wardrobe& wardrobe, const Environment& light, const DensitySettings& settings);
 
 /// Of a whole frame. `samples` follows Bandwidth IV.9 where the light is sampled as it is (`reference`), else IV.10. Bit-identical for
 /// any thread count. Throws Error(missing_channel | cancelled).

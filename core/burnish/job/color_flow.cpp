@@ -2,6 +2,7 @@
 
 #include <burnish/base/error.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace burnish {
@@ -26,16 +27,20 @@ ColorFlow::ColorFlow(const Job& job)
       m_output(job.color.output) {
     const ColorSpaces& spaces = job.color;
     const bool named = !spaces.beauty.empty() || !m_environment.empty() || !m_output.empty() || !spaces.config.empty();
-    if (!named && job.output.preview.empty()) return;
+    const bool of_lights = std::ranges::any_of(job.lights, [](const auto& light) { return !light.second.space.empty(); });
+    if (!named && !of_lights && job.output.preview.empty()) return;
     m_config = ColorConfig::load(spaces.config);
     expect_linear(m_working, *m_config);
     Image probe(1, 1, 3);
     from_environment(probe);
+    for (const auto& [name, light] : job.lights) from_space(probe, light.space);
     if (!m_output.empty()) convert(probe, m_working, m_output, *m_config);
 }
 
-void ColorFlow::from_environment(Image& picture) const {
-    if (!m_environment.empty()) convert(picture, m_environment, m_working, *m_config);
+void ColorFlow::from_environment(Image& picture) const { from_space(picture, m_environment); }
+
+void ColorFlow::from_space(Image& picture, const std::string& space) const {
+    if (!space.empty()) convert(picture, space, m_working, *m_config);
 }
 
 void ColorFlow::to_output(Composite& composite) const {

@@ -17,6 +17,8 @@ public:
     explicit ColorFlow(const Job& job);
 
     void from_environment(Image& picture) const;
+    /// Of a light near the objects; "" = it is in the frame's space.
+    void from_space(Image& picture, const std::string& space) const;
     void to_output(Composite& composite) const;
     /// For pictures that went through `to_output`.
     PreviewSettings preview() const;

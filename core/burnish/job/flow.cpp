@@ -1,6 +1,7 @@
 #include <burnish/job/flow.h>
 
 #include <burnish/job/band_source.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/flow_progress.h>
 #include <burnish/job/frame_sink.h>
 #include <burnish/job/stages.h>
@@ -10,15 +11,17 @@
 namespace burnish {
 namespace {
 
-/// The stage between source and sink. Light and tables are made once, for the first frame, which tells which way is up.
+/// The stage between source and sink. Lights and tables are made once, for the first frame, which tells which way is up; only lights
+/// that are another picture for each frame are read again.
 class BandShader {
 public:
-    BandShader(const Job& job, const ColorFlow& color, const Wardrobe& wardrobe, size_t tasks, Progress progress,
-               Report& report)
+    BandShader(const Job& job, const ColorFlow& color, const Wardrobe& wardrobe, const std::vector<FrameTask>& tasks,
+               Progress progress, Report& report)
         : m_job(job),
           m_color(color),
           m_wardrobe(wardrobe),
-          m_tasks(static_cast<float>(tasks)),
+          m_frames(tasks),
+          m_tasks(static_cast<float>(tasks.size())),
           m_progress(std::move(progress)),
           m_report(report) {}
 
@@ -29,7 +32,9 @@ public:
         if (m_has_failed || band.is_skipped) return;
         try {
             prepare(band);
+            LightNotes told = load_own_lights(band);
             run(band);
+            band.result.tally.notes = std::move(told.notes), band.result.tally.warnings = std::move(told.warnings);
         } catch (const Error& error) {
             if (error.code() == ErrorCode::cancelled) throw;
             band.failure = std::current_exception();
@@ -43,11 +48,28 @@ private:
     void prepare(Band& band) {
         if (m_look) return;
         band.is_run_over = true;
-        auto light = timed(m_report.seconds, "light", [&] { return load_light(m_job, m_color, band.frame.renderer); });
-        m_report.notes = light->notes();
-        m_report.warnings.insert(m_report.warnings.end(), light->warnings().begin(), light->warnings().end());
-        m_look = timed(m_report.seconds, "tables", [&] { return prepare_look(m_job, m_wardrobe, std::move(light)); });
+        Rig rig = timed(m_report.seconds, "light", [&] {
+            return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band),
+                             part_of(m_progress, 0.0f, 0.3f / m_tasks));
+        });
+        m_report.notes = rig.notes;
+        m_report.warnings.insert(m_report.warnings.end(), rig.warnings.begin(), rig.warnings.end());
+        m_look = timed(m_report.seconds, "tables", [&] { return prepare_look(m_job, m_wardrobe, std::move(rig)); });
         band.is_run_over = false;
+    }
+
+    /// The lights that are the frame's own, with its first band.
+    LightNotes load_own_lights(Band& band) {
+        if (m_lit_task == band.task || !has_frame_lights(m_look->rig)) return {};
+        LightNotes told =
+            timed(band.seconds, "light", [&] { return load_frame_lights(m_look->rig, m_color, light_frame(band)); });
+        m_lit_task = band.task;
+        return told;
+    }
+
+    LightFrame light_frame(const Band& band) const {
+        const AovFrame& shown = band.fine ? *band.fine : band.frame;
+        return {band.frame.renderer, shown.camera, m_frames[band.task].frame};
     }
 
     void run(Band& band) {
@@ -61,10 +83,11 @@ private:
     const Job& m_job;
     const ColorFlow& m_color;
     const Wardrobe& m_wardrobe;
+    const std::vector<FrameTask>& m_frames;
     float m_tasks;
     Progress m_progress;
     Report& m_report;
-    std::optional<size_t> m_task;  // the frame at hand
+    std::optional<size_t> m_task, m_lit_task;  // the frame at hand; the one whose own lights are loaded
     bool m_has_failed = false;
     std::optional<Look> m_look;
 };
@@ -76,7 +99,7 @@ void run_flow(const Job& job, const FlowSettings& settings, const std::vector<Fr
     using Item = std::shared_ptr<Band>;
     FlowProgress progress(whole);
     BandSource source(job, wardrobe, tasks, settings.band_pixels, progress.of(FlowStage::read));
-    BandShader shader(job, color, wardrobe, tasks.size(), progress.of(FlowStage::shade), report);
+    BandShader shader(job, color, wardrobe, tasks, progress.of(FlowStage::shade), report);
     FrameSink sink(job, color, tasks, progress.of(FlowStage::write), report);
 
     const auto read = [&](tbb::flow_control& control) {

@@ -9,11 +9,28 @@
 namespace burnish {
 namespace {
 
-/// Diffuse reflectance by rule; black where there is none.
-Image kd_image(const Assignment& assignment, const std::vector<Color3f>& kd) {
+/// Diffuse reflectance by look and, of valid pixels, by the angle they are seen under; black where there is no look.
+Image kd_image(const Surfaces& surfaces, const Assignment& assignment, const std::vector<DiffuseReflectance>& kd) {
     Image image(assignment.width, assignment.height, 3);
-    for (size_t i = 0; i < image.pixel_count(); ++i)
-        if (assignment.rule[i] >= 0) std::copy_n(&kd[static_cast<size_t>(assignment.rule[i])].x, 3, image.at(i));
+    const auto width = static_cast<size_t>(assignment.width);
+    const auto set = [&](size_t pixel, float cos_o) {
+        const Color3f c = kd[static_cast<size_t>(assignment.rule[pixel])].at(cos_o);
+        std::copy_n(&c.x, 3, image.at(pixel));
+    };
+    for_each_index(assignment.height, [&](int y) {
+        SurfaceBatch seen;
+        for (size_t i = static_cast<size_t>(y) * width; i < (static_cast<size_t>(y) + 1) * width; ++i) {
+            if (assignment.rule[i] < 0) continue;
+            const bool turns = kd[static_cast<size_t>(assignment.rule[i])].depends_on_view();
+            if (turns && surfaces.validity(i) == Validity::valid)
+                seen.pixel.push_back(static_cast<uint32_t>(i));
+            else
+                set(i, 1.0f);
+        }
+        if (seen.size() == 0) return;
+        surfaces.fill(seen, {.position = false, .tangent = false});
+        for (size_t k = 0; k < seen.size(); ++k) set(seen.pixel[k], seen.n[k].dot(seen.wo[k]));
+    });
     return image;
 }
 
@@ -49,9 +66,10 @@ void cover_shaded(const Surfaces& surfaces, Assignment& assignment) {
     });
 }
 
-Cover pixel_cover(const AovFrame& frame, Assignment& assignment, const std::vector<Color3f>& kd) {
+Cover pixel_cover(const AovFrame& frame, const Surfaces& surfaces, Assignment& assignment,
+                  const std::vector<DiffuseReflectance>& kd) {
     Cover cover;
-    if (needs_kd(frame)) cover.kd = kd_image(assignment, kd);
+    if (needs_kd(frame)) cover.kd = kd_image(surfaces, assignment, kd);
     cover.overlay = std::move(assignment.coverage);
     return cover;
 }
@@ -61,12 +79,13 @@ PixelFilter pixel_filter(const AntialiasSettings& settings, const AovFrame& fram
 }
 
 Cover resolve_samples(const AntialiasSettings& settings, const AovFrame& frame, const AovFrame& fine, const Surfaces& surfaces,
-                      const Assignment& assignment, const std::vector<Color3f>& kd, FrameResult& result, ShadedFrame& old) {
+                      const Assignment& assignment, const std::vector<DiffuseReflectance>& kd, FrameResult& result,
+                      ShadedFrame& old) {
     const Resolver resolver(sample_grid(frame, fine), pixel_filter(settings, frame), fine.data_window, frame.data_window);
     Cover cover = resolver.cover(surfaces, assignment.coverage);
     if (settings.coverage == EdgeCoverage::alpha) take_alpha(frame, cover);
     if (needs_kd(frame))
-        cover.kd = resolver.mean(kd_image(assignment, kd), surface_cover(surfaces, assignment.coverage.size()));
+        cover.kd = resolver.mean(kd_image(surfaces, assignment, kd), surface_cover(surfaces, assignment.coverage.size()));
     resolve(resolver, assignment.coverage, result.shaded);
     resolve(resolver, assignment.coverage, old);
     if (!result.validity.empty()) result.validity = resolver.least(result.validity, static_cast<float>(Validity::background));

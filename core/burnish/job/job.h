@@ -8,6 +8,7 @@
 #include <burnish/composite/pixel_filter.h>
 #include <burnish/input/assign.h>
 #include <burnish/light/environment.h>
+#include <burnish/light/light_settings.h>
 #include <burnish/material/parameters.h>
 #include <burnish/output/exr_writer.h>
 #include <burnish/sampling/density.h>
@@ -56,7 +57,10 @@ struct Job {
     std::string camera;                    // file, may hold a frame pattern, or the JSON itself; "" = from the frame
 
     std::string environment;  // file
+    std::string environment_name = "sky";
     EnvironmentSettings light;
+    std::map<std::string, LightSettings> lights;  // those near the objects, by name
+    std::vector<std::string> chain;               // for rules that name no lights; empty: by place (assign_lights.h)
 
     std::string material;  // what pixels wear that no rule of `assign` names; "" = nothing
     std::map<std::string, Material> materials;

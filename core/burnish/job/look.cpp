@@ -5,6 +5,7 @@
 #include <burnish/material/library.h>
 
 #include <cstdio>
+#include <map>
 #include <set>
 
 namespace burnish {
@@ -47,13 +48,45 @@ void warn_of_energy(const std::string& name, const Material& material, std::vect
     warnings.push_back("material '" + name + "' creates energy: it reflects " + numbers + "; lower its strength");
 }
 
-/// One of each material for the light, be it shader or predictor.
-template <class Made, class Settings>
-std::vector<Made> for_each_material(const std::vector<Material>& materials, const Environment& light,
-                                    const Settings& settings) {
-    std::vector<Made> made;
-    for (const Material& material : materials) made.emplace_back(material, light, settings);
-    return made;
+using ReadyMaterials = std::vector<std::shared_ptr<const ReadyMaterial>>;
+
+/// One for every rule; `materials` may be empty.
+ReadyMaterials ready_materials(const Job& job, const Wardrobe& wardrobe, const std::vector<Material>& materials,
+                               const Rig& rig) {
+    std::map<std::string, std::shared_ptr<ReadyMaterial>> by_name;
+    ReadyMaterials ready;
+    const bool sparse = is_sparse(job.density.density, job.estimator.kind);
+    for (size_t rule = 0; rule < materials.size(); ++rule) {
+        std::shared_ptr<ReadyMaterial>& own = by_name[wardrobe.rules[rule].material];
+        if (!own) own = std::make_shared<ReadyMaterial>();
+        const PossibleLight light = possible_light(rig, rule);
+        if (light.distant && !own->distant) {
+            own->distant.emplace(materials[rule], *rig.environment(), job.estimator);
+            if (sparse) own->distant_predictor.emplace(materials[rule], *rig.environment(), job.density);
+        }
+        if (light.other && !own->taps) {
+            own->taps = std::make_shared<const MaterialTaps>(materials[rule], job.estimator);
+            if (sparse) own->probes = std::make_shared<const MaterialProbes>(materials[rule], job.density);
+        }
+        ready.push_back(own);
+    }
+    return ready;
+}
+
+void equip(const Look& look, const ReadyMaterials& materials, const std::vector<LitRule>& looks,
+           std::vector<MaterialShader>& shaders, std::vector<BandwidthPredictor>& predictors) {
+    if (materials.empty()) return;
+    for (const LitRule& lit : looks) {
+        const ReadyMaterial& material = *materials[lit.rule];
+        if (look.rig.is_distant(lit.chain)) {
+            shaders.push_back(*material.distant);
+            if (material.distant_predictor) predictors.push_back(*material.distant_predictor);
+            continue;
+        }
+        const LightChain chain = look.rig.chain(lit.chain);
+        shaders.emplace_back(material.taps, chain);
+        if (material.probes) predictors.emplace_back(material.probes, chain);
+    }
 }
 
 }  // namespace
@@ -64,7 +97,7 @@ Wardrobe prepare_wardrobe(const Job& job) {
     std::set<std::string> checked;
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
-        wardrobe.kd.push_back(material.kd);
+        wardrobe.kd.emplace_back(material);
         if (checked.insert(rule.material).second) warn_of_energy(rule.material, material, wardrobe.warnings);
         if (job.composite.mode == CompositeMode::difference)
             wardrobe.old_materials.push_back(resolve(job, old_name(job, rule.material)));
@@ -72,16 +105,18 @@ Wardrobe prepare_wardrobe(const Job& job) {
     return wardrobe;
 }
 
-Look prepare_look(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environment> light) {
-    Look look{std::move(wardrobe), std::move(light), {}, {}, {}, {}};
-    const std::vector<Material>&materials = look.wardrobe.materials, &old_materials = look.wardrobe.old_materials;
-    look.shaders = for_each_material<MaterialShader>(materials, *look.light, job.estimator);
-    look.old_shaders = for_each_material<MaterialShader>(old_materials, *look.light, job.estimator);
-    if (is_sparse(job.density.density, job.estimator.kind)) {
-        look.predictors = for_each_material<BandwidthPredictor>(materials, *look.light, job.density);
-        look.old_predictors = for_each_material<BandwidthPredictor>(old_materials, *look.light, job.density);
-    }
+Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig) {
+    Look look{std::move(wardrobe), std::move(rig), {}, {}};
+    look.materials = ready_materials(job, look.wardrobe, look.wardrobe.materials, look.rig);
+    look.old_materials = ready_materials(job, look.wardrobe, look.wardrobe.old_materials, look.rig);
     return look;
+}
+
+Equipment equip(const Look& look, const std::vector<LitRule>& looks) {
+    Equipment equipment;
+    equip(look, look.materials, looks, equipment.shaders, equipment.predictors);
+    equip(look, look.old_materials, looks, equipment.old_shaders, equipment.old_predictors);
+    return equipment;
 }
 
 }  // namespace burnish

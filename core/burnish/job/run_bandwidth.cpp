@@ -3,6 +3,7 @@
 #include <burnish/base/parallel.h>
 #include <burnish/job/band.h>
 #include <burnish/job/bandwidth_layers.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/frame_tasks.h>
 #include <burnish/job/read_frame.h>
@@ -21,7 +22,9 @@ namespace {
 /// What all frames share; light and tables are made with the first.
 class BandwidthRun {
 public:
-    BandwidthRun(const Job& job, const ColorFlow& color) : m_job(job), m_color(color), m_wardrobe(prepare_wardrobe(job)) {}
+    BandwidthRun(const Job& job, const ColorFlow& color) : m_job(job), m_color(color), m_wardrobe(prepare_wardrobe(job)) {
+        m_job.density.density = ShadingDensity::sparse;  // predicts whatever is shaded densely
+    }
 
     void run(const FrameTask& task, BandwidthReport& report, const Progress& progress) {
         report.frame = task.frame, report.input = task.aovs, report.output = task.output;
@@ -31,7 +34,7 @@ public:
         const bool has_fine = !task.fine_aovs.empty();
         const AovFrame frame = read_job_frame(m_job, m_wardrobe, has_fine ? task.fine_aovs : task.aovs, task.camera,
                                               has_fine ? FramePart::surfaces : FramePart::whole);
-        prepare(frame.renderer);
+        prepare(frame, task.frame, part_of(progress, 0.0f, 0.1f));
         NamedValues<double> seconds;
         const BandwidthLayers layers =
             timed(seconds, "predicting", [&] { return predict(frame, part_of(progress, 0.1f, 0.9f)); });
@@ -44,16 +47,24 @@ public:
     }
 
 private:
-    void prepare(Renderer renderer) {
-        if (m_light) return;
-        m_light = load_light(m_job, m_color, renderer);
-        m_look = prepare_bandwidth(m_wardrobe, *m_light, m_job.density);
+    void prepare(const AovFrame& frame, std::optional<int> number, const Progress& progress) {
+        const LightFrame of_light{frame.renderer, frame.camera, number};
+        if (!m_look) {
+            Rig rig = build_rig(m_job, m_wardrobe.rules, m_color, nullptr, of_light, progress);
+            m_look = prepare_look(m_job, m_wardrobe, std::move(rig));
+            if (const Environment* environment = m_look->rig.environment())
+                m_variances = prepare_variances(m_wardrobe.materials, *environment, m_job.density);
+        }
+        load_frame_lights(m_look->rig, m_color, of_light);
     }
 
     BandwidthLayers predict(const AovFrame& frame, const Progress& progress) const {
-        const Assignment assignment = assign_rules(frame, m_wardrobe.rules);
-        const Surfaces surfaces(frame, assignment, m_job.surface);
-        return bandwidth_layers(frame, assignment, surfaces, m_look, m_job.estimator.kind, progress);
+        const LitAssignment lit = assign_lights(frame, assign_rules(frame, m_wardrobe.rules), m_look->rig);
+        const Surfaces surfaces(frame, lit.assignment, m_job.surface);
+        BandwidthLook look{equip(*m_look, lit.looks).predictors, {}};
+        for (const LitRule& own : lit.looks)
+            look.variances.push_back(m_look->rig.is_distant(own.chain) ? m_variances[own.rule] : nullptr);
+        return bandwidth_layers(frame, lit.assignment, surfaces, look, m_job.estimator.kind, progress);
     }
 
     static void count_levels(const BandwidthLayers& layers, BandwidthReport& report) {
@@ -65,11 +76,11 @@ private:
         }
     }
 
-    const Job& m_job;
+    Job m_job;
     const ColorFlow& m_color;
     Wardrobe m_wardrobe;
-    std::shared_ptr<const Environment> m_light;
-    BandwidthLook m_look;
+    std::optional<Look> m_look;
+    Variances m_variances;  // of each rule under the environment alone
 };
 
 }  // namespace

@@ -38,6 +38,10 @@ void report_pixels(const Tally& tally, const Look& look, FrameReport& report) {
     const size_t broken = tally.pixels[static_cast<size_t>(Validity::not_finite)];
     if (broken > 0)
         report.warnings.push_back(std::to_string(broken) + " pixels hold NaN or infinity in P or N and are left as they were");
+    if (tally.unlit > 0)
+        report.warnings.push_back(std::to_string(tally.unlit) +
+                                  " pixels have no light: no mirror or pane is on their plane, and there is no other light; "
+                                  "add an environment or a cube map");
     if (tally.pixels[0] == 0) report.warnings.push_back("no pixel was shaded: see the counts under pixels");
 }
 
@@ -66,9 +70,14 @@ double own_lookups(const AovFrame& frame, const ShadedFrame& shaded) {
     return lookups;
 }
 
-Tally tally_of(const Surfaces& surfaces, const Assignment& assignment) {
+/// `selected`: pixels of each rule.
+Tally tally_of(const Surfaces& surfaces, const std::vector<LitRule>& looks, std::vector<size_t> selected) {
     Tally tally;
-    tally.pixels = surfaces.counts(), tally.shaded = surfaces.rule_counts(), tally.selected = assignment.counts;
+    tally.pixels = surfaces.counts(), tally.shaded.resize(selected.size()), tally.selected = std::move(selected);
+    for (size_t i = 0; i < looks.size(); ++i) {
+        tally.shaded[looks[i].rule] += surfaces.rule_counts()[i];
+        if (looks[i].chain.empty()) tally.unlit += surfaces.rule_counts()[i];
+    }
     tally.lacks_tangents = surfaces.tangent_source() == TangentSource::axis;
     return tally;
 }
@@ -90,6 +99,13 @@ ShadedFrame shade(const AovFrame& frame, const Surfaces& surfaces, const Assignm
     return shade_sparse(frame, surfaces, assignment, shaders, predictors, progress, with_samples);
 }
 
+/// Of each look.
+std::vector<DiffuseReflectance> kd_of(const Wardrobe& wardrobe, const std::vector<LitRule>& looks) {
+    std::vector<DiffuseReflectance> kd;
+    for (const LitRule& look : looks) kd.push_back(wardrobe.kd[look.rule]);
+    return kd;
+}
+
 void check_size(const Assignment& given, const Window& window) {
     if (given.width == window.width && given.height == window.height) return;
     throw Error(ErrorCode::size_mismatch, "assign: the masks are " + std::to_string(given.width) + "x" +
@@ -102,7 +118,9 @@ void check_size(const Assignment& given, const Window& window) {
 void Tally::operator+=(const Tally& band) {
     for (size_t i = 0; i < pixels.size(); ++i) pixels[i] += band.pixels[i];
     add(band.shaded, shaded), add(band.selected, selected);
-    lookups += band.lookups;
+    lookups += band.lookups, unlit += band.unlit;
+    notes.insert(notes.end(), band.notes.begin(), band.notes.end());
+    warnings.insert(warnings.end(), band.warnings.begin(), band.warnings.end());
     lacks_tangents = band.lacks_tangents;
     for (const auto& [stage, elapsed] : band.seconds) add_seconds(seconds, stage, elapsed);
 }
@@ -111,30 +129,36 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
                       const Progress& progress) {
     FrameResult result;
     NamedValues<double> seconds;
-    const bool difference = !look.old_shaders.empty();
+    const bool difference = !look.old_materials.empty();
     const AovFrame& shown = fine ? *fine : frame;
     if (given) check_size(*given, shown.data_window);
-    Assignment assignment;
+    LitAssignment lit;
+    Assignment& assignment = lit.assignment;
+    std::vector<size_t> selected;
     const Surfaces surfaces = timed(seconds, "surface", [&] {
-        assignment = given ? *given : assign_rules(shown, look.wardrobe.rules);
+        Assignment by_rule = given ? *given : assign_rules(shown, look.wardrobe.rules);
+        selected = by_rule.counts;
+        lit = assign_lights(shown, std::move(by_rule), look.rig);
         return Surfaces(shown, assignment, job.surface);
     });
-    result.tally = tally_of(surfaces, assignment);
+    result.tally = tally_of(surfaces, lit.looks, std::move(selected));
+    const std::vector<DiffuseReflectance> kd = kd_of(look.wardrobe, lit.looks);
+    const Equipment equipment = equip(look, lit.looks);
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
     timed(seconds, "shading", [&] {
         const bool with_samples = job.output.diagnostics || shown.has_shaded_margins();
-        result.shaded = shade(shown, surfaces, assignment, look.shaders, look.predictors,
+        result.shaded = shade(shown, surfaces, assignment, equipment.shaders, equipment.predictors,
                               part_of(progress, 0.0f, difference ? 0.5f : 1.0f), with_samples);
         if (difference)
-            old = shade(shown, surfaces, assignment, look.old_shaders, look.old_predictors, part_of(progress, 0.5f, 1.0f),
-                        shown.has_shaded_margins());
+            old = shade(shown, surfaces, assignment, equipment.old_shaders, equipment.old_predictors,
+                        part_of(progress, 0.5f, 1.0f), shown.has_shaded_margins());
     });
     result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
     const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {
         if (fine || job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
-        if (!fine) return pixel_cover(frame, assignment, look.wardrobe.kd);
-        return resolve_samples(job.antialias, frame, *fine, surfaces, assignment, look.wardrobe.kd, result, old);
+        if (!fine) return pixel_cover(frame, surfaces, assignment, kd);
+        return resolve_samples(job.antialias, frame, *fine, surfaces, assignment, kd, result, old);
     });
     result.composite = timed(seconds, "composite", [&] {
         return composite(frame, cover, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr, job.composite);
@@ -155,6 +179,8 @@ FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* 
     if (shown.camera) report.camera = shown.camera->source;
     if (fine) report_fine(job, frame, *fine, report);
     report_pixels(tally, look, report);
+    report.notes.insert(report.notes.end(), tally.notes.begin(), tally.notes.end());
+    report.warnings.insert(report.warnings.end(), tally.warnings.begin(), tally.warnings.end());
     if (tally.lacks_tangents) warn_of_tangents(look, job.surface.tangent_axis, report);
     report.lookups = tally.lookups;
     report.seconds = tally.seconds;

@@ -16,8 +16,10 @@ struct Tally {
     ValidityCounts pixels{};
     std::vector<size_t> shaded, selected;  // pixels of each rule: shaded, and assigned to it
     double lookups = 0;
+    size_t unlit = 0;  // shaded pixels that no light is assigned to
     bool lacks_tangents = false;
     NamedValues<double> seconds;
+    std::vector<std::string> notes, warnings;  // of the frame's own lights
 
     void operator+=(const Tally& band);
 };

@@ -67,8 +67,4 @@ std::map<std::string, std::string> checked_pairs(const json& value, const std::s
     return pairs;
 }
 
-json triple_to_json(const Vec3f& value) {
-    return json::array({to_json_number(value.x), to_json_number(value.y), to_json_number(value.z)});
-}
-
 }  // namespace burnish::setting

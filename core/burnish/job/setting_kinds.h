@@ -11,6 +11,7 @@ namespace burnish::setting {
 struct Place {
     std::string_view name, section, key;
 };
+
 bool checked_boolean(const nlohmann::json& value, const std::string& where);
 double checked_number(const nlohmann::json& value, NumberRange range, bool whole, std::string_view unit,
                       const std::string& where);
@@ -20,9 +21,6 @@ size_t checked_choice(const nlohmann::json& value, const std::vector<std::string
 /// Three numbers in range; with `gray` also one number for all three.
 Vec3f checked_triple(const nlohmann::json& value, NumberRange range, bool gray, const std::string& where);
 std::map<std::string, std::string> checked_pairs(const nlohmann::json& value, const std::string& where);
-
-/// Always a list, unlike to_json_color.
-nlohmann::json triple_to_json(const Vec3f& value);
 
 template <class At>
 Setting boolean(Place at, At member, std::string_view help) {
@@ -62,7 +60,7 @@ Setting text(Place at, At member, SettingKind kind, std::string_view unit, std::
 
 template <class At>
 Setting color(Place at, At member, NumberRange range, std::string_view help) {
-    auto get = [member](const Job& job) { return triple_to_json(member(job)); };
+    auto get = [member](const Job& job) { return to_json_vector(member(job)); };
     auto set = [=](Job& job, const nlohmann::json& value, const std::string& where) {
         const Vec3f c = checked_triple(value, range, true, where);
         member(job) = Color3f(c.x, c.y, c.z);

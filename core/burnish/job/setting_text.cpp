@@ -57,7 +57,8 @@ json setting_from_text(const Setting& setting, const std::string& text, const st
         case SettingKind::names: return text.empty() ? json::array() : json(split(text));
         case SettingKind::color:
         case SettingKind::vector: return numbers(text);
-        case SettingKind::pairs: return pair(setting, text, where);
+        case SettingKind::pairs:
+        case SettingKind::lights: return pair(setting, text, where);
         case SettingKind::rules: return json::array({text});
         case SettingKind::text:
         case SettingKind::path:

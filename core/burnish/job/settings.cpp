@@ -1,7 +1,9 @@
 #include <burnish/job/settings.h>
 
+#include <burnish/job/job_lights.h>
 #include <burnish/job/setting_kinds.h>
 #include <burnish/job/structured_settings.h>
+#include <burnish/light/light_json.h>
 
 #include <algorithm>
 
@@ -34,16 +36,15 @@ void add_input(std::vector<Setting>& table) {
 }
 
 void add_light(std::vector<Setting>& table) {
+    table.push_back(lights_setting());
+    table.push_back(chain_setting());
     table.push_back(text({"env", "lights", "file"}, AT(environment), SettingKind::path, "FILE",
                          "environment map around the objects: lat-long or cube, .hdr or .exr"));
     table.push_back(choice<EnvironmentConvention>(
         {"env_convention", "lights", "convention"}, AT(light.convention),
-        {{"auto", EnvironmentConvention::automatic},
-         {"blender", EnvironmentConvention::blender},
-         {"openexr", EnvironmentConvention::openexr}},
+        {std::begin(kConventionNames), std::end(kConventionNames)},
         "how the picture lies over directions: openexr has +Z in the middle, Y up; blender +X in the middle, Z up"));
-    table.push_back(choice<UpAxis>({"up", "lights", "up"}, AT(light.up),
-                                   {{"auto", UpAxis::automatic}, {"y", UpAxis::y}, {"z", UpAxis::z}},
+    table.push_back(choice<UpAxis>({"up", "lights", "up"}, AT(light.up), {std::begin(kUpNames), std::end(kUpNames)},
                                    "up axis of the render's world: y for Maya, Houdini, Arnold; z for Blender, 3ds Max"));
     table.push_back(number({"env_rotate", "lights", "rotate"}, AT(light.rotate_deg), kAnyNumber, "degrees",
                            "turns the environment about the up axis"));
@@ -93,6 +94,7 @@ void add_quality(std::vector<Setting>& table) {
                                          {"circles", PatternKind::circles},
                                          {"offset_circles", PatternKind::offset_circles},
                                          {"ring", PatternKind::ring},
+                                         {"rings", PatternKind::rings},
                                          {"line", PatternKind::line},
                                          {"tuned", PatternKind::tuned}},
                                         "shape of the regular pattern; tuned: fitted to lights, up to 30 samples; auto: tuned "

@@ -33,6 +33,7 @@ enum class SettingKind {
     pairs,      // object of strings; text "key=value", repeatable
     rules,      // list of assign rules; text "material=selector:value", repeatable
     materials,  // object: name -> material as JSON, preset or file; no text form
+    lights,     // object: name -> light as JSON or file; text "name=JSON or file", repeatable
 };
 
 struct Setting {
@@ -48,7 +49,7 @@ struct Setting {
     std::vector<std::string_view> choices = {};
 
     nlohmann::json default_value() const { return get(Job{}); }
-    bool repeatable() const { return kind == SettingKind::pairs || kind == SettingKind::rules; }
+    bool repeatable() const { return kind == SettingKind::pairs || kind == SettingKind::rules || kind == SettingKind::lights; }
 };
 
 /// All settings, in the order they are shown.

@@ -1,8 +1,8 @@
 // The shot file: one JSON document that says what a job is. Its fields are the settings (settings.h), grouped in sections.
 //
 //     { "aovs": "shot.####.exr", "channels": {"normal": "ViewLayer.Normal"}, "camera": {...},
-//       "lights": {"sky": {"type": "environment", "file": "sky.hdr", "rotate": 30}},
-//       "materials": {"brass": {...}}, "assign": [{"material": "brass", "index": 3}],
+//       "lights": {"sky": {"type": "environment", "file": "sky.hdr", "rotate": 30}, "floor": {"type": "mirror", ...}},
+//       "materials": {"brass": {...}}, "assign": [{"material": "brass", "index": 3, "light": ["floor", "sky"]}],
 //       "quality": {"samples": 19}, "surface": {...}, "composite": {...}, "color": {...},
 //       "output": {"file": "out.####.exr", "report": "out.json"} }
 #pragma once

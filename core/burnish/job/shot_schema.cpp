@@ -1,4 +1,5 @@
 // The shot file's JSON schema (draft 2020-12), one property per row of the settings table.
+#include <burnish/job/light_schema.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
 
@@ -16,9 +17,13 @@ void add_range(json& schema, const Setting& setting) {
 
 json triple() { return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}; }
 
+/// Names of lights: "floor,sky" or a list.
+json chain_schema() { return {{"anyOf", {{{"type", "string"}}, {{"type", "array"}, {"items", {{"type", "string"}}}}}}}; }
+
 json rule_schema() {
     const json id = {{"type", "integer"}, {"minimum", 0}}, text = {{"type", "string"}};
-    const json fields = {{"material", text}, {"index", id}, {"material_index", id}, {"cryptomatte", text}};
+    const json fields = {
+        {"material", text}, {"index", id}, {"material_index", id}, {"cryptomatte", text}, {"light", chain_schema()}};
     const json object = {
         {"type", "object"}, {"properties", fields}, {"required", {"material"}}, {"additionalProperties", false}};
     return {{"type", "array"}, {"items", {{"anyOf", {text, object}}}}};
@@ -38,11 +43,13 @@ json value_schema(const Setting& setting) {
         case SettingKind::vector: schema = triple(); break;
         case SettingKind::pairs: schema = {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}}; break;
         case SettingKind::rules: schema = rule_schema(); break;
+        case SettingKind::lights: schema["type"] = "object"; break;
         case SettingKind::materials:
             schema = {{"type", "object"}, {"additionalProperties", {{"type", {"object", "string"}}}}};
             break;
     }
     if (setting.name == "camera") schema["type"] = {"string", "object"};
+    if (setting.name == "default_light") schema = chain_schema();
     schema["description"] =
         setting.unit.empty() ? std::string(setting.help) : std::string(setting.help) + " (" + std::string(setting.unit) + ")";
     schema["default"] = setting.default_value();
@@ -51,6 +58,13 @@ json value_schema(const Setting& setting) {
 
 json object_schema(json properties) {
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
+}
+
+/// A light in its place, or the file that it is in.
+json any_light(json environment) {
+    std::vector<json> forms = light_schemas();
+    forms.insert(forms.begin(), {std::move(environment), {{"type", "string"}}});
+    return {{"anyOf", forms}};
 }
 
 }  // namespace
@@ -64,8 +78,10 @@ json shot_schema() {
     sections["lights"]["type"] = {{"const", "environment"}};
     for (auto& [name, properties] : sections.items()) {
         json section = object_schema(properties);
-        if (name == "lights") section = {{"type", "object"}, {"maxProperties", 1}, {"additionalProperties", section}};
-        document[name] = section;
+        if (name == "lights")
+            document[name]["additionalProperties"] = any_light(std::move(section));
+        else
+            document[name] = std::move(section);
     }
     json schema = object_schema(document);
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";

@@ -1,6 +1,7 @@
 #include <burnish/job/structured_settings.h>
 
 #include <burnish/base/json_text.h>
+#include <burnish/job/job_lights.h>
 #include <burnish/job/setting_kinds.h>
 #include <burnish/material/library.h>
 
@@ -16,14 +17,17 @@ constexpr std::pair<std::string_view, bool PerPixel::*> kPerPixel[] = {{"roughne
                                                                        {"rotation", &PerPixel::rotation},
                                                                        {"tint", &PerPixel::tint},
                                                                        {"weight", &PerPixel::weight}};
-constexpr std::string_view kRuleKeys[] = {"material", "index", "material_index", "cryptomatte"};
+constexpr std::string_view kRuleKeys[] = {"material", "index", "material_index", "cryptomatte", "light"};
 constexpr NumberRange kAxisRange{-1e6, 1e6};
 constexpr double kLargestId = 1 << 24;  // beyond it a float layer no longer tells ids apart
 
-/// "gold", "gold=index:3", "gold=material:2" or "gold=crypto:table*" as the object form.
-json rule_object(const std::string& text, const std::string& where) {
-    const size_t equals = text.find('=');
+/// "gold", "gold=index:3", "gold=material:2" or "gold=crypto:table*" as the object form; "@floor,sky" behind it names its lights.
+json rule_object(const std::string& given, const std::string& where) {
+    const size_t at = given.rfind('@'), equals = given.find('=');
+    const bool has_lights = at != std::string::npos && (equals == std::string::npos || at > equals);
+    const std::string text = has_lights ? given.substr(0, at) : given;
     json rule = {{"material", text.substr(0, equals)}};
+    if (has_lights) rule["light"] = given.substr(at + 1);
     if (equals == std::string::npos) return rule;
     const std::string selector = text.substr(equals + 1);
     const size_t colon = selector.find(':');
@@ -39,7 +43,7 @@ json rule_object(const std::string& text, const std::string& where) {
         rule["cryptomatte"] = value;
     else
         throw Error(ErrorCode::bad_argument,
-                    where + ": expected NAME=index:N, NAME=material:N or NAME=crypto:PATTERN, found '" + text + "'");
+                    where + ": expected NAME=index:N, NAME=material:N or NAME=crypto:PATTERN, found '" + given + "'");
     return rule;
 }
 
@@ -57,6 +61,8 @@ AssignRule rule_from_json(const json& value, const std::string& where) {
             rule.material_index = static_cast<int>(checked_number(field, {0, kLargestId}, true, "", path));
         else if (key == "cryptomatte")
             rule.cryptomatte = checked_text(field, path);
+        else if (key == "light")
+            rule.chain = chain_from_json(field, path);
         else
             fail_unknown(where, "field", key, kRuleKeys);
     }
@@ -70,6 +76,7 @@ json rule_to_json(const AssignRule& rule) {
     if (rule.object_index) value["index"] = *rule.object_index;
     if (rule.material_index) value["material_index"] = *rule.material_index;
     if (!rule.cryptomatte.empty()) value["cryptomatte"] = rule.cryptomatte;
+    if (!rule.chain.empty()) value["light"] = rule.chain;
     return value;
 }
 
@@ -172,7 +179,7 @@ Setting materials_setting() {
 Setting assign_setting() {
     constexpr auto help =
         "material for some pixels: NAME=index:N (object id), NAME=material:N (material id), "
-        "NAME=crypto:PATTERN; later rules win";
+        "NAME=crypto:PATTERN; later rules win; @LIGHT,... behind it names the lights, the one in front first";
     return {"assign", "", "assign", SettingKind::rules, "NAME=SELECTOR", help, assign_to_json, set_assign};
 }
 
@@ -184,7 +191,7 @@ Setting per_pixel_setting() {
 
 Setting tangent_axis_setting() {
     constexpr auto help = "world axis that brushing runs around, for tangent axis";
-    const auto get = [](const Job& job) { return triple_to_json(job.surface.tangent_axis); };
+    const auto get = [](const Job& job) { return to_json_vector(job.surface.tangent_axis); };
     return {"tangent_axis", "surface", "tangent_axis", SettingKind::vector, "X,Y,Z", help, get, set_tangent_axis, kAxisRange};
 }
 

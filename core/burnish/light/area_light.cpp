@@ -78,7 +78,7 @@ AreaLight::AreaLight(const AreaSettings& settings, const Color3f& gain, Image pi
 
 AreaLight AreaLight::load(const AreaSettings& settings, const Color3f& gain, const std::function<void(Image&)>& convert) {
     if (settings.texture.empty()) return AreaLight(settings, gain);
-    Image picture = read_picture(settings.texture).rgb;
+    Image picture = read_picture(settings.texture).pixels;
     std::vector<std::string> warnings;
     clean_picture(picture, convert, settings.texture, warnings);
     return AreaLight(settings, gain, std::move(picture));

@@ -1,6 +1,7 @@
 // Distant light: an environment map, exact for the reference and as a pyramid for the filtered estimators.
 #pragma once
 
+#include <burnish/base/up_axis.h>
 #include <burnish/light/bright_discs.h>
 #include <burnish/light/cube_pyramid.h>
 
@@ -12,12 +13,12 @@
 namespace burnish {
 
 class GaussianStack;
+struct EnvironmentPicture;
 
 /// How the picture is laid over directions. `blender`: lat-long, +X in the middle, Z up. `openexr`: lat-long, +Z in the
 /// middle, Y up (USD, Mitsuba). With the other up axis each keeps its look: see environment_orientation.h. For cubes the
 /// convention says whose axes the faces are named after: `blender` a Z-up world's, `openexr` a Y-up world's.
 enum class EnvironmentConvention { automatic, blender, openexr };
-enum class UpAxis { automatic, y, z };
 /// Small, very bright discs of the picture: `automatic` takes them out of the pyramid, see bright_discs.h; `keep` leaves them in.
 enum class Suns { automatic, keep };
 
@@ -44,6 +45,8 @@ public:
                             const std::function<void(Image&)>& convert = {});
     /// From pixels in memory: lat-long (W = 2H) or one of the cube layouts, RGB or grey.
     static Environment from_image(const Image& image, const EnvironmentSettings& settings, const std::string& name);
+    /// From a picture that was read, see environment_picture.h.
+    static Environment from_picture(EnvironmentPicture picture, const EnvironmentSettings& settings, const std::string& name);
 
     /// Unfiltered radiance from unit direction d in light axes: bilinear in the picture as given; scale and tint apart.
     Color3f radiance(const Vec3f& d) const;
@@ -72,9 +75,8 @@ public:
     const std::vector<std::string>& warnings() const { return m_warnings; }
 
 private:
-    struct Source;    // the picture as given and its sampling tables
+    class Source;     // the picture as given and its sampling tables
     struct Filtered;  // its cube faces and what was made from them
-    struct Builder;   // fills the members below
     std::shared_ptr<const Source> m_source;
     std::shared_ptr<Filtered> m_filtered;
     std::vector<BrightDisc> m_discs;

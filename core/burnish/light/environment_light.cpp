@@ -1,16 +1,28 @@
 #include <burnish/light/environment_light.h>
 
 #include <burnish/light/gaussian_stack.h>
+#include <burnish/light/light_mean.h>
+#include <burnish/light/stack_lookup.h>
 
 namespace burnish {
+namespace {
+
+constexpr size_t kAtOnce = 128;  // lookups
+
+}  // namespace
 
 void EnvironmentLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
     const GaussianStack& stack = m_environment->gaussian_stack();
     const Color3f gain = m_environment->gain();
-    for (size_t i = 0; i < rays.size(); ++i) {
-        const Vec3f d = rays[i].d * m_environment->world_to_light();
-        const std::array<float, 4> rgba = stack.stack().lookup_rgba(d, stack.level(rays[i].sigma));
-        out[i] = {gain * Color3f(rgba[0], rgba[1], rgba[2]), 1.0f, luminance(gain) * rgba[3], 0.0f};
+    std::array<StackPlace, kAtOnce> places;
+    std::array<std::array<float, 4>, kAtOnce> rgba;
+    for (size_t begin = 0; begin < rays.size(); begin += kAtOnce) {
+        const size_t count = std::min(kAtOnce, rays.size() - begin);
+        for (size_t i = 0; i < count; ++i)
+            places[i] = {rays[begin + i].d * m_environment->world_to_light(), stack.quick_level(rays[begin + i].sigma)};
+        look_up(stack.stack(), std::span(places).first(count), {gain.x, gain.y, gain.z, luminance(gain)}, rgba);
+        for (size_t i = 0; i < count; ++i)
+            out[begin + i] = {Color3f(rgba[i][0], rgba[i][1], rgba[i][2]), 1.0f, rgba[i][3], 0.0f};
     }
 }
 
@@ -23,6 +35,10 @@ LightDraw EnvironmentLight::sample(const Vec3f&, const Vec2f& u) const {
     LightDraw draw;
     draw.d = m_environment->sample(u, draw.pdf) * m_environment->world_to_light().transposed();
     return draw;
+}
+
+float EnvironmentLight::mean_luminance() const {
+    return luminance(m_environment->gain()) * burnish::mean_luminance(m_environment->gaussian_stack().stack());
 }
 
 }  // namespace burnish

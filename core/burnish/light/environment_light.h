@@ -18,6 +18,7 @@ public:
     ExactLight exact(const LightRay& ray) const;
     bool can_sample() const { return true; }
     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
+    float mean_luminance() const;
 
     const Environment& environment() const { return *m_environment; }
 

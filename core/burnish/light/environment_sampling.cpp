@@ -67,26 +67,27 @@ float steradian_per_face(const Vec3f& d) {
 
 }  // namespace
 
-void Environment::Source::make_table() {
-    if (is_cube())
-        table = SampleTable(cube.size(), 6 * cube.size(), cube_weights(cube));
-    else
-        table = SampleTable(latlong.width, latlong.height, latlong_weights(latlong));
+const SampleTable& Environment::Source::table() const {
+    std::call_once(m_table_made, [this] {
+        m_table = is_cube() ? SampleTable(cube().size(), 6 * cube().size(), cube_weights(cube()))
+                            : SampleTable(m_latlong.width, m_latlong.height, latlong_weights(m_latlong));
+    });
+    return m_table;
 }
 
 Vec3f Environment::Source::sample(const Vec2f& u, float& density) const {
-    const SampleTable::Place place = table.sample(u);
+    const SampleTable::Place place = table().sample(u);
     Vec3f d;
     if (is_cube()) {
-        const int n = cube.size();
+        const int n = cube().size();
         d = cube_direction(place.row / n, (static_cast<float>(place.column) + place.x) / static_cast<float>(n),
                            (static_cast<float>(place.row % n) + place.y) / static_cast<float>(n));
     } else {
-        const double step = std::numbers::pi / latlong.height, top = std::cos(step * place.row),
+        const double step = std::numbers::pi / m_latlong.height, top = std::cos(step * place.row),
                      bottom = std::cos(step * (place.row + 1));
         const double v = std::acos(top + (bottom - top) * static_cast<double>(place.y)) / std::numbers::pi;
         d = latlong_direction(
-            {(static_cast<float>(place.column) + place.x) / static_cast<float>(latlong.width), static_cast<float>(v)});
+            {(static_cast<float>(place.column) + place.x) / static_cast<float>(m_latlong.width), static_cast<float>(v)});
     }
     density = pdf(d);
     return d;
@@ -94,18 +95,18 @@ Vec3f Environment::Source::sample(const Vec2f& u, float& density) const {
 
 float Environment::Source::pdf(const Vec3f& d) const {
     if (is_cube()) {
-        const int n = cube.size();
+        const int n = cube().size();
         const CubeCoord c = cube_coord(d);
         const auto cell = [&](float x) { return std::min(static_cast<int>(x * static_cast<float>(n)), n - 1); };
-        const double per_face = table.probability(cell(c.x), c.face * n + cell(c.y)) * n * n;
+        const double per_face = table().probability(cell(c.x), c.face * n + cell(c.y)) * n * n;
         return static_cast<float>(per_face / steradian_per_face(d));
     }
     const Vec2f uv = latlong_coord(d);
     const auto cell = [](float x, int count) {
         return std::clamp(static_cast<int>(x * static_cast<float>(count)), 0, count - 1);
     };
-    const int column = cell(uv.x, latlong.width), row = cell(uv.y, latlong.height);
-    return static_cast<float>(table.probability(column, row) / row_solid_angle(row, latlong.width, latlong.height));
+    const int column = cell(uv.x, m_latlong.width), row = cell(uv.y, m_latlong.height);
+    return static_cast<float>(table().probability(column, row) / row_solid_angle(row, m_latlong.width, m_latlong.height));
 }
 
 Vec3f Environment::sample(const Vec2f& u, float& pdf) const { return m_source->sample(u, pdf); }

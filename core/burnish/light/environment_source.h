@@ -3,7 +3,7 @@
 #pragma once
 
 #include <burnish/light/cube_level.h>
-#include <burnish/light/environment.h>
+#include <burnish/light/environment_picture.h>
 #include <burnish/light/gaussian_stack.h>
 #include <burnish/light/sample_table.h>
 
@@ -11,27 +11,36 @@
 
 namespace burnish {
 
-/// Either `latlong` or `cube` is set. Radiance is finite and >= 0.
-struct Environment::Source {
-    Image latlong;
-    CubeLevel cube;
-    /// Cells are the picture's texels (cube: six faces one below the other); weight = luminance of the bilinear picture
-    /// integrated over the texel's solid angle. A cell is 0 only where the bilinear radiance is 0 in all of it.
-    SampleTable table;
+/// Either the lat-long or the cube is set. Radiance is finite and >= 0.
+class Environment::Source {
+public:
+    /// Either may be empty. The faces are kept, and made ready for lookups when these first ask, by any thread: few renders do.
+    Source(Image latlong, std::shared_ptr<const std::array<Image, 6>> faces)
+        : m_latlong(std::move(latlong)), m_faces(std::move(faces)) {}
 
-    bool is_cube() const { return cube.size() > 0; }
     Color3f radiance(const Vec3f& d) const;
-    void make_table();
-
     Vec3f sample(const Vec2f& u, float& pdf) const;
     float pdf(const Vec3f& d) const;
+
+private:
+    bool is_cube() const { return m_faces != nullptr; }
+    const CubeLevel& cube() const;
+    /// Cells are the picture's texels (cube: six faces one below the other); weight = luminance of the bilinear picture
+    /// integrated over the texel's solid angle. A cell is 0 only where the bilinear radiance is 0 in all of it.
+    const SampleTable& table() const;
+
+    Image m_latlong;
+    std::shared_ptr<const std::array<Image, 6>> m_faces;
+    mutable std::once_flag m_cube_made, m_table_made;
+    mutable CubeLevel m_cube;
+    mutable SampleTable m_table;
 };
 
 struct Environment::Filtered {
-    Filtered(std::array<Image, 6> cube_faces, PyramidKernel pyramid_kernel)
+    Filtered(std::shared_ptr<const std::array<Image, 6>> cube_faces, PyramidKernel pyramid_kernel)
         : faces(std::move(cube_faces)), kernel(pyramid_kernel) {}
 
-    const std::array<Image, 6> faces;
+    const std::shared_ptr<const std::array<Image, 6>> faces;
     const PyramidKernel kernel;
     std::once_flag pyramid_made, stack_made;
     CubePyramid pyramid;

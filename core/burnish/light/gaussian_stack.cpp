@@ -93,6 +93,7 @@ GaussianStack::GaussianStack(const std::array<Image, 6>& faces) {
     m_stack[0].fill(faces);
     for (int k = 1; k < m_stack.level_count(); ++k) make_level(levels, k, m_stack);
     for (int k = 0; k < m_stack.level_count(); ++k) set_curvature(static_cast<float>(levels[k].sigma), m_stack[k]);
+    set_level_steps();
 }
 
 float GaussianStack::level(float sigma) const {
@@ -101,6 +102,16 @@ float GaussianStack::level(float sigma) const {
     const auto wider = std::upper_bound(m_versines.begin() + 1, m_versines.end() - 1, versine);
     const float near = *(wider - 1), far = *wider;
     return static_cast<float>(wider - 1 - m_versines.begin()) + std::clamp((versine - near) / (far - near), 0.0f, 1.0f);
+}
+
+void GaussianStack::set_level_steps() {
+    const auto square_at = [](uint32_t step) {
+        return std::bit_cast<float>(std::bit_cast<uint32_t>(kLeastSquare) + (step << kStepBits));
+    };
+    for (uint32_t step = 0; square_at(step) <= kLargestSquare; ++step) {
+        const float from = square_at(step), to = square_at(step + 1), own = level(std::sqrt(from));
+        m_level_steps.push_back({own, (level(std::sqrt(to)) - own) / (to - from)});
+    }
 }
 
 float GaussianStack::sigma(float level) const {

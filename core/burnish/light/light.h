@@ -2,13 +2,15 @@
 #pragma once
 
 #include <burnish/light/area_light.h>
+#include <burnish/light/cube_map_light.h>
 #include <burnish/light/environment_light.h>
 #include <burnish/light/mirror_light.h>
+#include <burnish/light/traced_light.h>
 
 #include <variant>
 
 namespace burnish {
 
-using Light = std::variant<EnvironmentLight, MirrorLight, AreaLight>;
+using Light = std::variant<EnvironmentLight, CubeMapLight, MirrorLight, AreaLight, TracedLight>;
 
 }  // namespace burnish

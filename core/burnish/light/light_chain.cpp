@@ -11,10 +11,14 @@ bool can_sample(const LightChain::Link& link) {
     return std::visit([](const auto& light) { return light.can_sample(); }, *link.light);
 }
 
+void ask(const Light& light, std::span<const LightRay> rays, std::span<Incident> out) {
+    std::visit([&](const auto& own) { own.lookup(rays, out); }, light);
+}
+
 void add(const Incident& one, float share, Incident& sum) {
     sum.radiance += one.radiance * share;
     sum.bend += one.bend * share;
-    sum.nearness += one.nearness * luminance(one.radiance) * share;
+    sum.nearness += one.nearness * nearness_weight(luminance(one.radiance), one.bend) * share;
     sum.cover = std::max(sum.cover, 1 - share * (1 - one.cover));
 }
 
@@ -39,24 +43,39 @@ const Environment* LightChain::lone_environment() const {
     return light ? &light->environment() : nullptr;
 }
 
+bool LightChain::is_near() const {
+    const auto is_distant = [](const Link& link) { return std::holds_alternative<EnvironmentLight>(*link.light); };
+    return !std::all_of(m_links.begin(), m_links.end(), is_distant);
+}
+
 void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out, std::span<const float> kept) const {
-    std::fill(out.begin(), out.end(), Incident());
-    std::vector<float> left(rays.size(), 1.0f);
+    if (m_links.empty() || !kept.empty()) std::fill(out.begin(), out.end(), Incident());
+    if (m_links.empty()) return;
+    std::vector<float> left(m_links.size() == 1 && kept.empty() ? 0 : rays.size(), 1.0f);
+    size_t next = 0;
+    if (kept.empty()) {
+        ask(*m_links[next++].light, rays, out);
+        if (m_links.size() == 1) return;
+        for (size_t i = 0; i < out.size(); ++i) {
+            out[i].nearness *= nearness_weight(luminance(out[i].radiance), out[i].bend);
+            if (m_links[0].blocks) left[i] = 1 - out[i].cover;
+        }
+    }
     std::vector<Incident> found;
     RaysLeft asked;
-    for (const Link& link : m_links) {
-        const std::span<const float> own = kept.first(std::min(kept.size(), rays.size()));
-        kept = kept.subspan(own.size());
+    for (; next < m_links.size(); ++next) {
+        const Link& link = m_links[next];
+        const std::span<const float> own = kept.empty() ? kept : kept.subspan(next * rays.size(), rays.size());
         asked.take(rays, left, own, link.blocks);
         found.resize(asked.rays.size());
-        std::visit([&](const auto& light) { light.lookup(asked.rays, found); }, *link.light);
+        ask(*link.light, asked.rays, found);
         for (size_t k = 0; k < found.size(); ++k) {
             const uint32_t i = asked.places[k];
             add(found[k], own.empty() ? left[i] : left[i] * own[i], out[i]);
             if (link.blocks) left[i] *= 1 - found[k].cover;
         }
     }
-    for (Incident& sum : out) sum.nearness /= std::max(luminance(sum.radiance), 1e-20f);
+    for (Incident& sum : out) sum.nearness /= std::max(nearness_weight(luminance(sum.radiance), sum.bend), 1e-20f);
 }
 
 float LightChain::left_for(size_t link, const LightRay& ray) const {
@@ -64,7 +83,7 @@ float LightChain::left_for(size_t link, const LightRay& ray) const {
     for (size_t i = 0; i < link && left > kNothingLeft; ++i) {
         Incident one;
         if (!m_links[i].blocks) continue;
-        std::visit([&](const auto& light) { light.lookup({&ray, 1}, {&one, 1}); }, *m_links[i].light);
+        ask(*m_links[i].light, {&ray, 1}, {&one, 1});
         left *= 1 - one.cover;
     }
     return left;

@@ -8,11 +8,14 @@
 //     ExactLight exact(const LightRay& ray) const;                                  unfiltered, for the reference
 //     bool can_sample() const;                                                      whether `sample` finds its bright parts
 //     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
+//     float mean_luminance() const;                                                 may be left out, see light_mean.h
 //
 // all thread-safe, the same bits for a ray whatever batch it comes in. Radiance is linear RGB in the frame's colour space.
 #pragma once
 
 #include <burnish/base/types.h>
+
+#include <cmath>
 
 namespace burnish {
 
@@ -31,6 +34,9 @@ struct Incident {
     float bend = 0;             // bound of the second derivative of radiance's luminance along great circles of d, per radian^2
     float nearness = 0;         // 1 / distance from p to what is seen, per scene unit; 0 for distant light
 };
+
+/// How much the nearness of one of several sources counts: what moves past shows by how sharply it bends, or else by its light.
+inline float nearness_weight(float luminance, float bend) { return std::fabs(luminance) + bend; }
 
 /// Along one ray.
 struct ExactLight {

@@ -29,10 +29,15 @@ struct ProxySettings {
     std::string mesh;
 };
 
+/// What the distances of a cube map measure: `planar`, along the axis of their face; `ray`, from the centre; `automatic`:
+/// see distance_map.h.
+enum class DistanceKind { automatic, planar, ray };
+
 /// The room as seen from one point.
 struct CubeMapSettings {
-    std::string file;             // as Environment::load takes it
-    std::string depth;            // picture or six pictures with the distances; "" = the channels Z or Depth.Z of `file`
+    std::string file;   // as Environment::load takes it
+    std::string depth;  // picture or six pictures with the distances; "" = the channels Z or Depth.Z of `file`
+    DistanceKind distances = DistanceKind::automatic;
     Vec3f centre{0, 0, 0};        // where it was taken
     EnvironmentSettings picture;  // how it lies over directions
     ProxySettings proxy;
@@ -65,6 +70,8 @@ struct TracedSettings {
     std::string irradiance;         // light map: irradiance / pi, to be multiplied by the albedo; "" = none
     std::string albedo;             // map of diffuse reflectance; "" = the materials' base colours
     UpAxis up = UpAxis::automatic;  // of the render's world; OBJ files are in its axes, glTF has Y up and is turned
+    int texcoord = 0;               // set of texture coordinates that the maps lie over
+    int rays = 4;                   // that a lookup's cone is averaged from, 1 to 64
 };
 
 struct LightSettings {
@@ -72,6 +79,7 @@ struct LightSettings {
     float scale = 1;  // multiplies radiance
     Color3f tint{1, 1, 1};
     bool blocks = true;  // hides what comes behind it in a list of lights; area lights: false unless they say so
+    std::string space;   // colour space of its pictures; "" = the frame's
 };
 
 }  // namespace burnish

@@ -20,6 +20,16 @@ Image multiplied(Image light, const Color3f& gain) {
     return light;
 }
 
+/// Luminance of what is covered.
+float mean_of(const Image& light) {
+    double sum = 0, cover = 0;
+    for (size_t i = 0; i < light.pixel_count(); ++i) {
+        const float* rgba = light.at(i);
+        sum += luminance({rgba[0], rgba[1], rgba[2]}), cover += rgba[3];
+    }
+    return cover > 0 ? static_cast<float>(sum / cover) : 0.0f;
+}
+
 Vec3f away_from(const Vec3f& centre, const Plane& plane) {
     const Vec3f n = plane.normal.normalized();
     return n.dot(centre - plane.point) > 0 ? -n : n;
@@ -31,7 +41,8 @@ MirrorLight::MirrorLight(const MirrorBuffer& buffer, const MirrorSettings& setti
     : m_view(buffer.camera, buffer.data, buffer.display, buffer.position, buffer.normal),
       m_light(multiplied(buffer.light, gain)),
       m_away(away_from(buffer.camera.centre, settings.plane)),
-      m_steps(settings.second_step ? 3 : 1) {}
+      m_steps(settings.second_step ? 3 : 1),
+      m_mean(mean_of(buffer.light) * luminance(gain)) {}
 
 void MirrorLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
     for (size_t i = 0; i < rays.size(); ++i) out[i] = incident(rays[i]);

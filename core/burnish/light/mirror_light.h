@@ -23,6 +23,7 @@ public:
     ExactLight exact(const LightRay& ray) const;
     bool can_sample() const { return false; }
     LightDraw sample(const Vec3f&, const Vec2f&) const { return {}; }
+    float mean_luminance() const { return m_mean; }
 
 private:
     Incident incident(const LightRay& ray) const;
@@ -31,6 +32,7 @@ private:
     PlanarStack m_light;
     Vec3f m_away;  // unit normal of the plane, away from the picture's camera
     int m_steps;
+    float m_mean;  // luminance of what the picture knows
 };
 
 }  // namespace burnish

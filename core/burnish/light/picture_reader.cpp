@@ -1,13 +1,15 @@
 #include <burnish/light/picture_reader.h>
 
 #include <burnish/base/error.h>
+#include <burnish/input/channel_names.h>
+#include <burnish/input/layers.h>
+#include <burnish/input/roles.h>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -78,26 +80,43 @@ void check_size(const std::string& file, const OIIO::ImageSpec& spec, int64_t by
     }
 }
 
-/// Indices of red, green and blue.
-std::array<int, 3> color_channels(const std::string& file, const OIIO::ImageSpec& spec) {
-    const auto find = [&](const std::string& name) {
-        const auto at = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
-        return at == spec.channelnames.end() ? -1 : static_cast<int>(at - spec.channelnames.begin());
-    };
-    const auto layer = [&](const std::string& prefix) -> std::array<int, 3> {
-        return {find(prefix + "R"), find(prefix + "G"), find(prefix + "B")};
-    };
-    const auto complete = [](const std::array<int, 3>& c) { return std::min({c[0], c[1], c[2]}) >= 0; };
+/// The first layer of `role`, by its aliases best first, that `fits`; null when there is none.
+template <class Fits>
+const Layer* layer_of_role(const std::vector<Layer>& layers, Role role, const Fits& fits) {
+    for (const std::string_view alias : role_info(role).aliases)
+        for (const Layer& layer : layers)
+            if (normal_form(layer.name) == alias && fits(layer)) return &layer;
+    return nullptr;
+}
 
-    if (const auto rgb = layer(""); complete(rgb)) return rgb;
-    for (const std::string& name : spec.channelnames) {
-        if (!name.ends_with("Combined.R")) continue;
-        if (const auto rgb = layer(name.substr(0, name.size() - 1)); complete(rgb)) return rgb;
+/// Indices of the channels that a layer of the picture is made of; none where the file does not have it.
+std::vector<int> channels_of(const OIIO::ImageSpec& spec, PictureLayer wanted) {
+    const std::vector<ChannelType> types(spec.channelnames.size(), ChannelType::float32);
+    const std::vector<Layer> layers = gather_layers({{"", "", spec.channelnames, types, {}}}, "");
+    if (wanted == PictureLayer::distance) {
+        const Layer* depth = layer_of_role(layers, Role::depth, [](const Layer&) { return true; });
+        if (depth) return {depth->channels[0].index};
+        return spec.nchannels == 1 ? std::vector<int>{0} : std::vector<int>{};
     }
-    if (spec.nchannels <= 2) return {0, 0, 0};
+    const Layer* color = layer_of_role(
+        layers, Role::beauty, [](const Layer& layer) { return layer.find("r") && layer.find("g") && layer.find("b"); });
+    if (wanted == PictureLayer::alpha) {
+        const Layer* main = color ? color : layer_of_role(layers, Role::alpha, [](const Layer&) { return true; });
+        const Channel* alpha = main ? main->find("a") : nullptr;
+        return alpha ? std::vector<int>{alpha->index} : std::vector<int>{};
+    }
+    if (color) return {color->find("r")->index, color->find("g")->index, color->find("b")->index};
+    return spec.nchannels <= 2 ? std::vector<int>{0, 0, 0} : std::vector<int>{};
+}
+
+[[noreturn]] void refuse_missing(const std::string& file, const OIIO::ImageSpec& spec, PictureLayer layer) {
     std::string found;
     for (const std::string& name : spec.channelnames) found += (found.empty() ? "" : ", ") + name;
-    refuse(file, "no colour: expected channels R, G, B or Combined.R, G, B, found " + found.substr(0, 200) + ".");
+    found = ", found " + found.substr(0, 200) + ".";
+    if (layer == PictureLayer::color) refuse(file, "no colour: expected channels R, G, B or Combined.R, G, B" + found);
+    const std::string expected =
+        layer == PictureLayer::alpha ? "no alpha: expected a channel A" : "no distances: expected a channel Z or Depth.Z";
+    throw Error(ErrorCode::missing_channel, file + ": " + expected + found);
 }
 
 EnvmapTag tag_of(const OIIO::ImageSpec& spec) {
@@ -107,46 +126,59 @@ EnvmapTag tag_of(const OIIO::ImageSpec& spec) {
 }
 
 /// The picture upright: Radiance files may store it mirrored or turned.
-Image upright(Image rgb, int orientation) {
-    if (orientation == 1) return rgb;
-    OIIO::ImageSpec spec(rgb.width, rgb.height, 3, OIIO::TypeFloat);
+Image upright(Image picture, int orientation) {
+    if (orientation == 1) return picture;
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeFloat);
     spec.attribute("Orientation", orientation);
-    const OIIO::ImageBuf turned = OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(spec, rgb.data.data()));
-    Image out(turned.spec().width, turned.spec().height, 3);
+    const OIIO::ImageBuf turned = OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(spec, picture.data.data()));
+    Image out(turned.spec().width, turned.spec().height, picture.channels);
     turned.get_pixels(OIIO::ROI::All(), OIIO::TypeFloat, out.data.data());
     return out;
 }
 
-Image read_rgb(const std::string& file, OIIO::ImageInput& in) {
+Image read_channels(const std::string& file, OIIO::ImageInput& in, const std::vector<int>& channels) {
     const OIIO::ImageSpec& spec = in.spec();
-    const std::array<int, 3> channels = color_channels(file, spec);
     const auto [first, last] = std::minmax_element(channels.begin(), channels.end());
     const int begin = *first, count = *last - begin + 1;
     std::vector<float> pixels(static_cast<size_t>(spec.width) * spec.height * count);
     if (!in.read_image(0, 0, begin, begin + count, OIIO::TypeFloat, pixels.data()))
         refuse(file, "cannot be read: " + in.geterror());
-    Image rgb(spec.width, spec.height, 3);
-    for (size_t i = 0; i < rgb.pixel_count(); ++i) {
-        for (int k = 0; k < 3; ++k) rgb.at(i)[k] = pixels[i * count + channels[k] - begin];
+    Image picture(spec.width, spec.height, static_cast<int>(channels.size()));
+    for (size_t i = 0; i < picture.pixel_count(); ++i) {
+        for (size_t k = 0; k < channels.size(); ++k) picture.at(i)[k] = pixels[i * count + channels[k] - begin];
     }
-    return upright(std::move(rgb), spec.get_int_attribute("Orientation", 1));
+    return upright(std::move(picture), spec.get_int_attribute("Orientation", 1));
 }
 
-}  // namespace
-
-Picture read_picture(const std::string& file) {
+/// Calls `read(in)` on the open and checked file.
+template <class Read>
+auto with_open(const std::string& file, const Read& read) {
     const int64_t bytes = bytes_on_disk(file);
     check_radiance_header(file, bytes);
     try {
         const auto in = OIIO::ImageInput::open(file);
         if (!in) refuse(file, "not a picture burnish can read: " + OIIO::geterror());
         check_size(file, in->spec(), bytes);
-        return {read_rgb(file, *in), tag_of(in->spec())};
+        return read(*in);
     } catch (const Error&) {
         throw;
     } catch (const std::exception& problem) {
         refuse(file, std::string("cannot be read: ") + problem.what());
     }
+}
+
+}  // namespace
+
+Picture read_picture(const std::string& file, PictureLayer layer) {
+    return with_open(file, [&](OIIO::ImageInput& in) -> Picture {
+        const std::vector<int> channels = channels_of(in.spec(), layer);
+        if (channels.empty()) refuse_missing(file, in.spec(), layer);
+        return {read_channels(file, in, channels), tag_of(in.spec())};
+    });
+}
+
+bool has_layer(const std::string& file, PictureLayer layer) {
+    return with_open(file, [&](OIIO::ImageInput& in) { return !channels_of(in.spec(), layer).empty(); });
 }
 
 }  // namespace burnish

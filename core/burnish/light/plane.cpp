@@ -11,13 +11,4 @@ bool lies_on(const Plane& plane, const Vec3f& p, const Vec3f& n, float tolerance
     return std::fabs(from_point.dot(normal)) <= tolerance * size && std::fabs(n.dot(normal)) >= kLeastCos;
 }
 
-Camera mirrored(const Camera& camera, const Plane& plane) {
-    const Vec3f n = plane.normal.normalized();
-    const auto reflected = [&](const Vec3f& v) { return v - n * (2 * n.dot(v)); };
-    Camera image = camera;
-    image.centre = plane.point + reflected(camera.centre - plane.point);
-    image.axis = reflected(camera.axis), image.right = -reflected(camera.right), image.up = reflected(camera.up);
-    return image;
-}
-
 }  // namespace burnish

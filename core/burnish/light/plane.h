@@ -1,8 +1,8 @@
 // Planes of mirrors and panes.
 #pragma once
 
-#include <burnish/input/camera.h>
 #include <burnish/light/light_settings.h>
+#include <burnish/scene/view.h>
 
 namespace burnish {
 
@@ -13,6 +13,8 @@ bool lies_on(const Plane& plane, const Vec3f& p, const Vec3f& n, float tolerance
 
 /// The camera that sees in the plane's mirror image what `camera` sees in the mirror. It is no mirrored camera, but one that can
 /// be built: pixel (x, y) of the one sees what pixel (width - 1 - x, y) of the other is reflected to.
-Camera mirrored(const Camera& camera, const Plane& plane);
+inline Camera mirrored(const Camera& camera, const Plane& plane) {
+    return mirrored(camera, HalfSpace{plane.point, plane.normal});
+}
 
 }  // namespace burnish

@@ -42,6 +42,26 @@ void add_up(const CubeStack& stack, float distortion, std::span<const StackTap> 
     }
 }
 
+void look_up_each(const CubeStack& stack, std::span<const StackPlace> places, const std::array<float, 4>& gain,
+                  std::span<std::array<float, 4>> rgba) {
+    static_assert(sizeof(StackPlace) == 4 * sizeof(float));
+    const Lanes d;
+    TapQueue queue;
+    for (size_t begin = 0; begin < places.size(); begin += TapQueue::kCapacity) {
+        const size_t count = std::min(TapQueue::kCapacity, places.size() - begin);
+        for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+            HWY_ALIGN StackPlace last[8] = {};
+            const bool is_whole = begin + i + hn::Lanes(d) <= places.size();
+            if (!is_whole) std::copy(places.begin() + static_cast<std::ptrdiff_t>(begin + i), places.end(), last);
+            V3 w;
+            VF level;
+            hn::LoadInterleaved4(d, is_whole ? &places[begin + i].d.x : &last[0].d.x, w.x, w.y, w.z, level);
+            queue_taps(stack.layout(), 0, w, level, i, queue);
+        }
+        queued_values(stack.layout(), queue, count, gain.data(), reinterpret_cast<float(*)[4]>(&rgba[begin]));
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace burnish
 HWY_AFTER_NAMESPACE();
@@ -50,6 +70,12 @@ HWY_AFTER_NAMESPACE();
 namespace burnish {
 
 HWY_EXPORT(add_up);
+HWY_EXPORT(look_up_each);
+
+void look_up(const CubeStack& stack, std::span<const StackPlace> places, const std::array<float, 4>& gain,
+             std::span<std::array<float, 4>> rgba) {
+    HWY_DYNAMIC_DISPATCH(look_up_each)(stack, places, gain, rgba);
+}
 
 void add_up_lookups(const CubeStack& stack, float distortion, std::span<const StackTap> taps, size_t per_sum,
                     std::span<Color3f> sums) {

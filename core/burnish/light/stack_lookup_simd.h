@@ -128,14 +128,15 @@ HWY_INLINE void queue_taps(const CubeStack::Layout& stack, float distortion, con
 }
 
 #if HWY_MAX_BYTES >= 32
-/// Adds up `count` queued lookups from `first` on; `texels(offset)` loads two RGBA texels of a row.
-template <class Texels>
-HWY_INLINE void sum_of_pairs(const Texels& texels, const TapQueue& queue, size_t first, size_t count, float* rgba) {
-    const hn::FixedTag<float, 8> pair;
-    const hn::FixedTag<float, 4> single;
+using Pair = hn::FixedTag<float, 8>;
+
+/// Of each queued lookup from `first` on, two RGBA that add up to it, handed to `use(i, both)`; `texels(offset)` loads two RGBA
+/// texels of a row.
+template <class Texels, class Use>
+HWY_INLINE void for_each_pair(const Texels& texels, const TapQueue& queue, size_t first, size_t count, const Use& use) {
+    const Pair pair;
     alignas(32) static constexpr int32_t kFine[8] = {0, 0, 0, 0, 1, 1, 1, 1}, kCoarse[8] = {2, 2, 2, 2, 3, 3, 3, 3};
     const auto fine_columns = hn::SetTableIndices(pair, kFine), coarse_columns = hn::SetTableIndices(pair, kCoarse);
-    auto sum = hn::Zero(pair);
     for (size_t i = first; i < first + count; ++i) {
         const auto row = [&](int32_t above, int32_t below, float y) {
             const auto top = texels(above), bottom = texels(below);
@@ -144,11 +145,14 @@ HWY_INLINE void sum_of_pairs(const Texels& texels, const TapQueue& queue, size_t
         const auto columns = hn::LoadDup128(pair, queue.columns[i]);
         const auto fine =
             hn::Mul(row(queue.fine[i], queue.fine_below[i], queue.fine_y[i]), hn::TableLookupLanes(columns, fine_columns));
-        const auto both = hn::MulAdd(row(queue.coarse[i], queue.coarse_below[i], queue.coarse_y[i]),
-                                     hn::TableLookupLanes(columns, coarse_columns), fine);
-        sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum);
+        use(i, hn::MulAdd(row(queue.coarse[i], queue.coarse_below[i], queue.coarse_y[i]),
+                          hn::TableLookupLanes(columns, coarse_columns), fine));
     }
-    hn::StoreU(hn::Add(hn::LowerHalf(single, sum), hn::UpperHalf(single, sum)), single, rgba);
+}
+
+HWY_INLINE void store_sum(hn::Vec<Pair> both, float* rgba) {
+    const hn::FixedTag<float, 4> single;
+    hn::StoreU(hn::Add(hn::LowerHalf(single, both), hn::UpperHalf(single, both)), single, rgba);
 }
 #endif
 
@@ -156,8 +160,11 @@ HWY_INLINE void sum_of_pairs(const Texels& texels, const TapQueue& queue, size_t
 HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue, size_t first, size_t count, float* rgba) {
     const auto texel = [&](int32_t offset) { return stack.rgba + 4 * static_cast<size_t>(offset); };
 #if HWY_MAX_BYTES >= 32
-    const hn::FixedTag<float, 8> pair;
-    sum_of_pairs([&](int32_t offset) { return hn::LoadU(pair, texel(offset)); }, queue, first, count, rgba);
+    const Pair pair;
+    auto sum = hn::Zero(pair);
+    for_each_pair([&](int32_t offset) { return hn::LoadU(pair, texel(offset)); }, queue, first, count,
+                  [&](size_t i, auto both) { sum = hn::MulAdd(both, hn::LoadDup128(pair, queue.weight[i]), sum); });
+    store_sum(sum, rgba);
 #else
     std::fill_n(rgba, 4, 0.0f);
     for (size_t i = first; i < first + count; ++i) {
@@ -172,6 +179,22 @@ HWY_INLINE void queued_sum(const CubeStack::Layout& stack, const TapQueue& queue
                 queue.weight[i][k] *
                 (columns[0] * row(fine, fine_below, fine_y, k) + columns[1] * row(fine, fine_below, fine_y, k + 4) +
                  columns[2] * row(coarse, coarse_below, coarse_y, k) + columns[3] * row(coarse, coarse_below, coarse_y, k + 4));
+    }
+#endif
+}
+
+/// Each of `count` queued lookups by itself, times `gain`; weights play no part.
+HWY_INLINE void queued_values(const CubeStack::Layout& stack, TapQueue& queue, size_t count, const float* gain,
+                              float (*rgba)[4]) {
+#if HWY_MAX_BYTES >= 32
+    const Pair pair;
+    const auto gains = hn::LoadDup128(pair, gain);
+    for_each_pair([&](int32_t offset) { return hn::LoadU(pair, stack.rgba + 4 * static_cast<size_t>(offset)); }, queue, 0,
+                  count, [&](size_t i, auto both) { store_sum(hn::Mul(both, gains), rgba[i]); });
+#else
+    for (size_t i = 0; i < count; ++i) {
+        std::copy_n(gain, 4, queue.weight[i]);
+        queued_sum(stack, queue, i, 1, rgba[i]);
     }
 #endif
 }

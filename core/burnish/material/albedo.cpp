@@ -12,11 +12,12 @@ Vec3f direction(float theta, float phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-/// Albedo of all lobes of both sides together, and kd.
+/// Albedo of all lobes of both sides together, and of the diffuse part.
 Color3f total_albedo(const Material& material, const Vec3f& wo, int samples) {
-    Color3f total = material.kd;
-    for (const LobeParameters& lobe : material.lobes) total += directional_albedo(lobe, wo, samples);
-    return total;
+    Color3f lobes(0, 0, 0);
+    for (const LobeParameters& lobe : material.lobes) lobes += directional_albedo(lobe, wo, samples);
+    const auto left = [&](float albedo) { return material.kd_coupled ? std::max(1 - albedo, 0.0f) : 1.0f; };
+    return lobes + material.kd * Color3f(left(lobes.x), left(lobes.y), left(lobes.z));
 }
 
 bool turns_with_azimuth(const Material& material) {

@@ -2,7 +2,7 @@
 //
 //     {"kd": 0.2, "lobes": [{"model": "kurt", "ks": 0.8, "mx": 0.1, "my": 0.1, "r0": 0.05, "alpha": 0.3}, ...]}
 //
-// A material of one lobe may leave "lobes" out and hold the lobe's fields itself. "model" beside "lobes" is the lobes' default.
+// "kd_coupled": true leaves to the diffuse part only what the lobes do not return. A material of one lobe may leave "lobes" out and hold the lobe's fields itself. "model" beside "lobes" is the lobes' default.
 #include <burnish/base/error.h>
 #include <burnish/base/json_fields.h>
 #include <burnish/material/library.h>
@@ -144,7 +144,7 @@ json lobe_to_json(const LobeParameters& lobe) {
 }
 
 std::vector<LobeParameters> lobes_from_json(const JsonFields& material) {
-    material.expect_only(std::array<std::string_view, 3>{"model", "kd", "lobes"});
+    material.expect_only(std::array<std::string_view, 4>{"model", "kd", "kd_coupled", "lobes"});
     const ModelId default_model = model_from_json(material, ModelId::kurt);
     const json& list = material.at("lobes");
     if (!list.is_array()) fail_expected(material.path("lobes"), "a list of lobes [{...}]", list);
@@ -160,7 +160,7 @@ std::vector<LobeParameters> lobes_from_json(const JsonFields& material) {
 LobeParameters single_lobe_from_json(const JsonFields& material) {
     const ModelId model = model_from_json(material, ModelId::kurt);
     Names known = lobe_keys(model_info(model));
-    known.insert(known.end(), {"kd", "lobes"});
+    known.insert(known.end(), {"kd", "kd_coupled", "lobes"});
     material.expect_only(known);
     return lobe_from_json(material, model);
 }
@@ -173,7 +173,8 @@ Material material_from_json(const json& value, const std::string& name, const st
     Material material;
     material.name = name;
     material.kd = fields.color("kd", kReflectivity, Color3f(0));
-    const bool only_diffuse = value.size() == 1 && fields.has("kd");
+    material.kd_coupled = fields.boolean("kd_coupled", false);
+    const bool only_diffuse = fields.has("kd") && value.size() == (fields.has("kd_coupled") ? 2 : 1);
     if (fields.has("lobes"))
         material.lobes = lobes_from_json(fields);
     else if (!only_diffuse)
@@ -184,7 +185,9 @@ Material material_from_json(const json& value, const std::string& name, const st
 json material_to_json(const Material& material) {
     json lobes = json::array();
     for (const LobeParameters& lobe : material.lobes) lobes.push_back(lobe_to_json(lobe));
-    return {{"kd", to_json_color(material.kd)}, {"lobes", lobes}};
+    json value = {{"kd", to_json_color(material.kd)}, {"lobes", lobes}};
+    if (material.kd_coupled) value["kd_coupled"] = true;
+    return value;
 }
 
 }  // namespace burnish

@@ -26,6 +26,7 @@ constexpr Pass kPasses[] = {{Role::beauty, "Combined", "RGB", true},
                             {Role::diffuse_albedo, "DiffCol", "RGB", true},
                             {Role::diffuse_direct, "DiffDir", "RGB", true},
                             {Role::diffuse_indirect, "DiffInd", "RGB", true},
+                            {Role::irradiance, "Irradiance", "RGB", true},
                             {Role::geometric_normal, "GeometricNormal", "XYZ", false},
                             {Role::tangent, "Tangent", "XYZ", false},
                             {Role::roughness, "Roughness", "X", false}};
@@ -68,6 +69,15 @@ void describe_matte(const Cryptomatte& matte, const std::string& prefix, OIIO::I
     spec.attribute(key + "manifest", manifest.dump());
 }
 
+/// worldToCamera of the OpenEXR standard: row vectors, camera space left-handed with +Z forward.
+void describe_camera(const Camera& camera, OIIO::ImageSpec& spec) {
+    const Imath::V3d x = Imath::V3d(camera.right).normalized(), y = Imath::V3d(camera.up).normalized(), z(camera.forward());
+    const Imath::V3d c(camera.centre);
+    const Imath::M44d to_world(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, c.x, c.y, c.z, 1);
+    const Matrix44f to_camera(to_world.inverse());
+    spec.attribute("worldToCamera", OIIO::TypeMatrix44, &to_camera);
+}
+
 OIIO::ImageSpec aov_spec(const AovFrame& frame, const Content& content) {
     const Window &data = frame.data_window, &display = frame.display_window;
     OIIO::ImageSpec spec(data.width, data.height, static_cast<int>(content.types.size()), OIIO::TypeFloat);
@@ -95,6 +105,7 @@ void write_aovs(const std::string& file, const AovFrame& frame, const std::strin
     for (const Cryptomatte& matte : frame.cryptomattes) add_matte(matte, view_layer + "." + matte.name, no_rank, content);
     OIIO::ImageSpec spec = aov_spec(frame, content);
     for (const Cryptomatte& matte : frame.cryptomattes) describe_matte(matte, view_layer + "." + matte.name, spec);
+    if (frame.camera && frame.camera->has_rays) describe_camera(*frame.camera, spec);
     write_layers(file, spec, content.layers);
 }
 

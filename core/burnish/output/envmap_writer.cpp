@@ -33,6 +33,18 @@ Texel cube_texel(int x, int y, int size) {
     return {d, 4 / (n * n) * largest * largest * largest};
 }
 
+OIIO::ImageSpec envmap_spec(const std::string& file, const Image& picture, int channels, EnvmapLayout layout) {
+    if (std::filesystem::path(file).extension() != ".exr")
+        throw Error(ErrorCode::bad_argument, file + ": environment maps are written as EXR; end the name in .exr");
+    OIIO::ImageSpec spec(picture.width, picture.height, channels, OIIO::TypeHalf);
+    spec.attribute("compression", "zip");
+    spec.attribute("textureformat", layout == EnvmapLayout::latlong ? "LatLong Environment" : "CubeFace Environment");
+    spec.attribute("openexr:levelmode", 0);  // one level; else OpenImageIO waits for more of them after close()
+    spec.attribute("oiio:updirection", "y");
+    spec.attribute("DateTime", "");  // else OpenImageIO stamps the time of writing: same job, same bits
+    return spec;
+}
+
 }  // namespace
 
 Image envmap_picture(const Environment& light, UpAxis up, EnvmapLayout layout, int size) {
@@ -51,15 +63,17 @@ Image envmap_picture(const Environment& light, UpAxis up, EnvmapLayout layout, i
 }
 
 void write_envmap(const std::string& file, const Image& picture, EnvmapLayout layout) {
-    if (std::filesystem::path(file).extension() != ".exr")
-        throw Error(ErrorCode::bad_argument, file + ": environment maps are written as EXR; end the name in .exr");
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeHalf);
-    spec.attribute("compression", "zip");
-    spec.attribute("textureformat", layout == EnvmapLayout::latlong ? "LatLong Environment" : "CubeFace Environment");
-    spec.attribute("openexr:levelmode", 0);  // one level; else OpenImageIO waits for more of them after close()
-    spec.attribute("oiio:updirection", "y");
-    spec.attribute("DateTime", "");  // else OpenImageIO stamps the time of writing: same job, same bits
-    write_layers(file, spec, {{{"R", "G", "B"}, &picture}});
+    write_layers(file, envmap_spec(file, picture, 3, layout), {{{"R", "G", "B"}, &picture}});
+}
+
+void write_cube_map(const std::string& file, const CubeMapPicture& picture) {
+    OIIO::ImageSpec spec = envmap_spec(file, picture.rgba, 5, EnvmapLayout::cube);
+    spec.channelnames = {"R", "G", "B", "A", "Z"};
+    spec.channelformats.assign(5, OIIO::TypeHalf);
+    spec.channelformats[4] = OIIO::TypeFloat;
+    spec.alpha_channel = 3, spec.z_channel = 4;
+    spec.attribute("burnish:centre", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::VEC3), &picture.centre);
+    write_layers(file, spec, {{{"R", "G", "B", "A"}, &picture.rgba}, {{"Z"}, &picture.distance}});
 }
 
 }  // namespace burnish

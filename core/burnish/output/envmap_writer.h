@@ -1,6 +1,7 @@
 // Distant light as a picture: resampled to a layout and written so that every reader of EXR environment maps takes it.
 #pragma once
 
+#include <burnish/light/bake_cube_map.h>
 #include <burnish/light/environment.h>
 
 #include <string>
@@ -17,5 +18,9 @@ Image envmap_picture(const Environment& light, UpAxis up, EnvmapLayout layout, i
 
 /// Writes an EXR (half, ZIP) with the `envmap` attribute, whole or not at all. Throws Error(write_failed | bad_argument).
 void write_envmap(const std::string& file, const Image& picture, EnvmapLayout layout);
+
+/// Writes a cube map with its distances: R, G, B, A (half) and Z (float), the `envmap` attribute, and where it was taken as the
+/// attribute burnish:centre. Whole or not at all. Throws Error(write_failed | bad_argument).
+void write_cube_map(const std::string& file, const CubeMapPicture& picture);
 
 }  // namespace burnish

@@ -9,9 +9,9 @@ namespace burnish {
 enum class EstimatorKind { fitted, regular, filtered_importance, preconvolved, split_sum, reference };
 
 /// Shapes of the `regular` pattern: `circles` = equally spaced circles (Regular 5), `offset_circles` = the same without a
-/// sample at the centre, `ring` = 1 + one ring, `line` = along the elongation, `tuned` = fitted to lights, 3 to 30
+/// sample at the centre, `ring` = 1 + one ring, `rings` = 1 + a few sparse ones, `line` = along the elongation, `tuned` = fitted to lights, 3 to 30
 /// samples; `automatic` = tuned where it measured better, else circles, or a line when max(mx/my, my/mx) is extreme.
-enum class PatternKind { automatic, circles, offset_circles, ring, line, tuned };
+enum class PatternKind { automatic, circles, offset_circles, ring, rings, line, tuned };
 
 /// `half_vector`: constant density of half vectors (Regular 17-18); `energy`: Walkthrough 4.24; `energy_squared`: 4.25.
 enum class Quadrature { half_vector, energy, energy_squared };

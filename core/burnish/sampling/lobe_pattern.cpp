@@ -107,6 +107,19 @@ LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of) {
     return stretched(std::move(pattern), radius_of);
 }
 
+LobePattern rings_pattern(int n, float border, const RadiusOf& radius_of) {
+    const int rings = static_cast<int>(std::sqrt(n - 1.0)), sparse = rings - (n - 1) % rings;
+    const double spacing = gaussian_radius(border) / (rings + 0.5);
+    LobePattern pattern{{0, 0, static_cast<float>(std::numbers::pi * spacing * spacing / 4)}};
+    for (int i = 0; i < rings; ++i) {
+        const double w = (i + 1) * spacing;
+        const LobePattern ring =
+            circle(w, (n - 1) / rings + (i >= sparse), static_cast<double>(i) / rings, 1.0f, kPi2 * w * spacing);
+        pattern.insert(pattern.end(), ring.begin(), ring.end());
+    }
+    return stretched(std::move(pattern), radius_of);
+}
+
 LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of) {
     const double radius = gaussian_radius(border), step = 2 * radius / n;
     const float area = static_cast<float>(step * std::sqrt(std::numbers::pi));  // the narrow profile exp(-v^2) has this width
@@ -131,6 +144,7 @@ LobePattern regular_pattern(PatternKind wanted, int samples, float mx, float my,
     const int rings_worth = kind == PatternKind::line ? 2 * samples : samples;  // a line reaches further with the same count
     const float xi0 = border > 0 ? border : default_border(rings_worth, radius_of);
     if (kind == PatternKind::ring) return ring_pattern(std::max(samples, 2), xi0, radius_of);
+    if (kind == PatternKind::rings) return rings_pattern(std::max(samples, 2), xi0, radius_of);
     if (kind == PatternKind::line) return line_pattern(samples, aspect, xi0, radius_of);
     return nearest_circles(kind, samples, aspect, xi0, radius_of);
 }

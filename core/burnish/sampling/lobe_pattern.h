@@ -39,6 +39,11 @@ LobePattern circle_pattern(int circles, int first, bool centred, float aspect, f
 /// One sample at the centre and n - 1 on a ring at 40 % of the border's energy, xi = 0.6 (Walkthrough 4.4.3). n >= 2.
 LobePattern ring_pattern(int n, float border, const RadiusOf& radius_of);
 
+/// One sample at the centre, the others shared out to about as many rings as each has samples, each turned against the one within:
+/// dense near the centre, so that a depth edge fades in gently as it moves through the lobe (Walkthrough 4.5.3: 10 samples,
+/// three rings of three). n >= 2.
+LobePattern rings_pattern(int n, float border, const RadiusOf& radius_of);
+
 /// n equally spaced samples along the wider axis, for strongly anisotropic lobes (Walkthrough 4.4.3). n >= 1.
 LobePattern line_pattern(int n, float aspect, float border, const RadiusOf& radius_of);
 

@@ -45,20 +45,24 @@ struct Layers {
 
 }  // namespace
 
-AovFrame trace_gbuffer(const Tracer& tracer, const Camera& camera, int width, int height, const Progress& progress) {
+AovFrame trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress) {
     AovFrame frame;
-    frame.data_window = frame.display_window = {0, 0, width, height};
-    frame.camera = camera;
+    frame.data_window = frame.display_window = {0, 0, view.width, view.height};
+    frame.camera = view.camera;
     Layers layers(frame);
-    for_each_tile(width, height, progress, "tracing", [&](const Window& tile) {
+    for_each_tile(view.width, view.height, progress, "tracing", [&](const Window& tile) {
         for (int y = tile.y; y < tile.y + tile.height; ++y)
             for (int x = tile.x; x < tile.x + tile.width; ++x) {
-                if (const auto hit = closest_at(tracer, camera, pixel_centre(x, y), width, height))
-                    layers.store(static_cast<size_t>(y) * width + x, *hit,
+                if (const auto hit = view.closest(tracer, pixel_centre(x, y)))
+                    layers.store(static_cast<size_t>(y) * view.width + x, *hit,
                                  tracer.scene().objects[static_cast<size_t>(hit->object)]);
             }
     });
     return frame;
+}
+
+AovFrame trace_gbuffer(const Tracer& tracer, const Camera& camera, int width, int height, const Progress& progress) {
+    return trace_gbuffer(tracer, View{camera, width, height}, progress);
 }
 
 }  // namespace burnish

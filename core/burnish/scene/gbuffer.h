@@ -4,6 +4,7 @@
 #include <burnish/base/progress.h>
 #include <burnish/input/frame.h>
 #include <burnish/scene/trace.h>
+#include <burnish/scene/view.h>
 
 namespace burnish {
 
@@ -28,6 +29,7 @@ inline std::optional<Hit> closest_at(const Tracer& tracer, const Camera& camera,
 
 /// Position, normal, geometric normal, planar depth, tangent, uv, roughness, object and material index. Where nothing is hit
 /// all are 0, but depth is kMissDepth. Same bits for any thread count.
+AovFrame trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress);
 AovFrame trace_gbuffer(const Tracer& tracer, const Camera& camera, int width, int height, const Progress& progress);
 
 }  // namespace burnish

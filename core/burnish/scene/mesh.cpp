@@ -40,13 +40,13 @@ std::vector<Vec2f> bevel_profile(int steps) {
     return profile;
 }
 
+}  // namespace
+
 void append(Mesh& mesh, const Mesh& part) {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
     for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
 }
-
-}  // namespace
 
 Mesh make_surface(int columns, int rows, const std::function<Vertex(float u, float v)>& surface) {
     Mesh mesh;

@@ -43,6 +43,9 @@ Mesh make_lathe(std::span<const Vec2f> profile, bool closed, int segments, int r
 /// Tube of radius `tube` along the (p, q) torus knot of outer radius about `radius`; p = 1, q = 0 is a torus.
 Mesh make_torus_knot(int p, int q, float radius, float tube, int segments, int sides);
 
+/// Adds the part's triangles.
+void append(Mesh& mesh, const Mesh& part);
+
 /// The mesh moved by `m` (row vectors; must not mirror); normals and tangents follow.
 Mesh transformed(Mesh mesh, const Matrix44f& m);
 

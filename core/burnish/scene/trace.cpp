@@ -11,6 +11,17 @@
 #include <algorithm>
 
 namespace burnish {
+namespace {
+
+#if RTC_VERSION_MAJOR >= 4
+constexpr RTCSceneFlags kFilterPerRay = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+using QueryContext = RTCRayQueryContext;
+#else
+constexpr RTCSceneFlags kFilterPerRay = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+using QueryContext = RTCIntersectContext;
+#endif
+
+}  // namespace
 
 struct Tracer::Embree {
     RTCDevice device = nullptr;
@@ -20,7 +31,7 @@ struct Tracer::Embree {
         device = rtcNewDevice(nullptr);
         if (!device) throw Error(ErrorCode::bad_argument, "Embree could not start on this processor");
         scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // no leaks through shared edges
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | kFilterPerRay);  // robust: no leaks through shared edges
     }
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
@@ -55,33 +66,59 @@ void attach(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned id) {
     rtcReleaseGeometry(geometry);
 }
 
-RTCRay make_ray(const Vec3f& origin, const Vec3f& direction, float distance) {
+RTCRay make_ray(const Vec3f& origin, const Vec3f& direction, float near, float far) {
     RTCRay ray{};
     ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
     ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-    ray.tnear = 0, ray.tfar = distance, ray.mask = ~0u;
+    ray.tnear = near, ray.tfar = far, ray.mask = ~0u;
     return ray;
 }
 
-void intersect(RTCScene scene, RTCRayHit& query) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(scene, &query);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene, &context, &query);
-#endif
+/// What Embree hands to a filter, with the objects that a ray does not see.
+struct Query : QueryContext {
+    std::span<const int> hidden;
+};
+
+/// Refuses hits of hidden objects; rays come one by one.
+void pass_through(const RTCFilterFunctionNArguments* hit) {
+    const auto object = static_cast<int>(RTCHitN_geomID(hit->hit, hit->N, 0));
+    const auto& hidden = static_cast<const Query*>(hit->context)->hidden;
+    if (std::ranges::find(hidden, object) != hidden.end()) hit->valid[0] = 0;
 }
 
-void test_occlusion(RTCScene scene, RTCRay& ray) {
 #if RTC_VERSION_MAJOR >= 4
-    rtcOccluded1(scene, &ray);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene, &context, &ray);
-#endif
+template <class Arguments>
+void prepare(Query& query, Arguments& arguments) {
+    rtcInitRayQueryContext(&query);
+    arguments.context = &query;
+    if (!query.hidden.empty()) arguments.filter = pass_through, arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
 }
+void intersect(RTCScene scene, RTCRayHit& ray, Query query) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    prepare(query, arguments);
+    rtcIntersect1(scene, &ray, &arguments);
+}
+void test_occlusion(RTCScene scene, RTCRay& ray, Query query) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    prepare(query, arguments);
+    rtcOccluded1(scene, &ray, &arguments);
+}
+#else
+void prepare(Query& query) {
+    rtcInitIntersectContext(&query);
+    if (!query.hidden.empty()) query.filter = pass_through;
+}
+void intersect(RTCScene scene, RTCRayHit& ray, Query query) {
+    prepare(query);
+    rtcIntersect1(scene, &query, &ray);
+}
+void test_occlusion(RTCScene scene, RTCRay& ray, Query query) {
+    prepare(query);
+    rtcOccluded1(scene, &query, &ray);
+}
+#endif
 
 }  // namespace
 
@@ -96,11 +133,12 @@ Tracer::Tracer(const Scene& scene) : m_scene(&scene) {
     m_embree = embree;
 }
 
-std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction) const {
+std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction, float near, float far,
+                                   std::span<const int> hidden) const {
     RTCRayHit query{};
-    query.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity());
+    query.ray = make_ray(origin, direction, near, far);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    intersect(m_embree->scene, query);
+    intersect(m_embree->scene, query, Query{{}, hidden});
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const Mesh& mesh = m_scene->objects[query.hit.geomID].mesh;
@@ -121,9 +159,9 @@ std::optional<Hit> Tracer::closest(const Vec3f& origin, const Vec3f& direction) 
     return hit;
 }
 
-bool Tracer::occluded(const Vec3f& origin, const Vec3f& direction, float distance) const {
-    RTCRay ray = make_ray(origin, direction, distance);
-    test_occlusion(m_embree->scene, ray);
+bool Tracer::occluded(const Vec3f& origin, const Vec3f& direction, float distance, std::span<const int> hidden) const {
+    RTCRay ray = make_ray(origin, direction, 0, distance);
+    test_occlusion(m_embree->scene, ray, Query{{}, hidden});
     return ray.tfar < 0;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace burnish {
 
@@ -15,9 +16,11 @@ struct Hit {
     int object = -1;        // index into Scene::objects
     uint32_t triangle = 0;  // index into its mesh
     bool front = true;      // met on the side that the triangle's corners go round counter-clockwise
-    Vec3f p, n, ng, t;      // world space; t is perpendicular to n
-    Vec2f uv;
+    Vec3f p{0, 0, 0}, n{0, 0, 0}, ng{0, 0, 0}, t{0, 0, 0};  // world space; t is perpendicular to n
+    Vec2f uv{0, 0};
 };
+
+inline constexpr float kInfinitelyFar = std::numeric_limits<float>::infinity();
 
 class Tracer {
 public:
@@ -27,11 +30,14 @@ public:
 
     const Scene& scene() const { return *m_scene; }
 
-    /// The first surface along origin + s direction, s > 0; the direction need not be unit length. Thread-safe.
-    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction) const;
+    /// The first surface along origin + s direction, near < s < far; the direction need not be unit length. The ray goes through
+    /// the objects of these indices. Thread-safe.
+    std::optional<Hit> closest(const Vec3f& origin, const Vec3f& direction, float near = 0, float far = kInfinitelyFar,
+                               std::span<const int> hidden = {}) const;
 
-    /// Whether anything lies along origin + s direction for 0 < s < distance. Thread-safe.
-    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = std::numeric_limits<float>::infinity()) const;
+    /// Whether anything but the hidden objects lies along origin + s direction for 0 < s < distance. Thread-safe.
+    bool occluded(const Vec3f& origin, const Vec3f& direction, float distance = kInfinitelyFar,
+                  std::span<const int> hidden = {}) const;
 
 private:
     struct Embree;

@@ -36,8 +36,8 @@ struct Shaded {
 void add_adaptive_shading(const TableShading& shading, const TableLadder& ladder, const TableShading* prediction,
                           const SurfaceBatch& batch, std::span<Color3f> overlay, std::span<float> samples) {
     const auto with = [&](size_t rung) {
-        return TableShading{shading.lobe,       ladder.tables[rung],    shading.stack,
-                            shading.distortion, shading.world_to_light, shading.gain};
+        return TableShading{
+            {shading.lobe, ladder.tables[rung], shading.world_to_light}, shading.stack, shading.distortion, shading.gain};
     };
     Shaded few(batch.size());
     add_table_shading(prediction ? *prediction : with(0), batch, {few.overlay, few.samples, few.square, few.weight});

@@ -129,12 +129,12 @@ private:
         for (const SeenNode& node : m_nodes) {
             const LightRay ray{pixel.at.p, pixel.at.ng, node.towards, node.angle, pixel.at.side};
             const Color3f sent = node.sent * m_lights.left_for(m_link, ray);
+            const float sharp = kWidened * kWidened / (2 * point.mx * point.my);
+            const float bend = std::fabs(luminance(pixel.value(wide, node) * sent)) * share * sharp;
             Color3f missing = pixel.value(pixel.lobe, node) * share;
-            sum.nearness += std::fabs(luminance(missing * sent)) / node.distance;
+            sum.bend += bend, sum.nearness += nearness_weight(luminance(missing * sent), bend) / node.distance;
             for (const TapKernel& tap : m_kernels) missing -= tap.at(node.towards);
             sum.radiance += missing * sent;
-            sum.bend +=
-                std::fabs(luminance(pixel.value(wide, node) * sent)) * share * kWidened * kWidened / (2 * point.mx * point.my);
         }
         sum.nodes += static_cast<float>(m_nodes.size());
     }
@@ -160,8 +160,10 @@ private:
         }
         sum.bend += even.bend * luminance(m_lamp.mean_colour()),
             sum.nearness += even.nearness * luminance(m_lamp.mean_colour());
-        for (size_t k = 0; k < pixel.rays.size(); ++k)
-            sum.bend += std::fabs(luminance(pixel.weights[k])) * share * m_found[k].bend;
+        for (size_t k = 0; k < pixel.rays.size(); ++k) {
+            const float bend = std::fabs(luminance(pixel.weights[k])) * share * m_found[k].bend;
+            sum.bend += bend, sum.nearness += m_found[k].nearness * bend;
+        }
         sum.nodes += even.nodes + static_cast<float>(pixel.rays.size());
     }
 
@@ -193,27 +195,31 @@ private:
 }  // namespace
 
 std::vector<DirectLight> direct_light(const LobeParameters& parameters, const LightChain& lights, const SurfaceBatch& batch,
-                                      const TapRaysView& taps, std::vector<float>& kept) {
+                                      size_t begin, size_t end, const TapRays& taps, std::vector<float>& kept) {
     std::vector<DirectLight> out;
+    std::vector<Color3f> weights;
     kept.clear();
+    const size_t rays = taps.count();
     for (size_t link = 0; link < lights.links().size(); ++link) {
         const auto* lamp = std::get_if<AreaLight>(lights.links()[link].light.get());
         if (!lamp) continue;
-        out.resize(batch.size()), kept.resize(lights.links().size() * taps.rays.size(), 1.0f);
+        out.resize(end - begin), kept.resize(lights.links().size() * rays, 1.0f);
         DirectLamp direct(*lamp, lights, link);
         visit_lobe(parameters, [&](const auto& prototype) {
             const bool long_tailed = lobe_tail([&](float xi) { return prototype.border(xi); }) == LobeTail::long_tail;
-            for (size_t i = 0, begin = 0; i < batch.size(); begin = taps.ends[i++]) {
+            for (size_t i = begin, first = 0; i < end; first = taps.ends[i++ - begin]) {
                 const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
                 const auto lobe = prototype.with_widths(point.mx, point.my);
-                const size_t count = taps.ends[i] - begin;
-                const PixelLobe pixel{lobe,
-                                      point,
-                                      {batch.p[i], batch.geometric_normal()[i], {}, 0, lobe.side_sign},
-                                      taps.rays.subspan(begin, count),
-                                      taps.weights.subspan(begin, count),
-                                      long_tailed};
-                std::fill_n(&kept[link * taps.rays.size() + begin], count, direct.add(pixel, out[i]));
+                const size_t count = taps.ends[i - begin] - first;
+                weights.clear();
+                for (size_t k = first; k < first + count; ++k) {
+                    const float* weight = taps.weights[k].rgba;
+                    weights.push_back(Color3f(weight[0], weight[1], weight[2]) * point.scale);
+                }
+                const LightRay at{batch.p[i], batch.geometric_normal()[i], {}, 0, lobe.side_sign};
+                const PixelLobe pixel{lobe, point, at, std::span(taps.rays).subspan(first, count), weights, long_tailed};
+                std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(link * rays + first), count,
+                            direct.add(pixel, out[i - begin]));
             }
         });
     }

@@ -14,32 +14,23 @@
 #pragma once
 
 #include <burnish/light/light_chain.h>
-#include <burnish/material/parameters.h>
-#include <burnish/surface/surface_batch.h>
+#include <burnish/shading/tap_rays.h>
 
-#include <span>
 #include <vector>
 
 namespace burnish {
-
-/// The taps of some pixels as rays, one after the other.
-struct TapRaysView {
-    std::span<const LightRay> rays;
-    std::span<const Color3f> weights;
-    std::span<const uint32_t> ends;  // of each pixel's rays
-};
 
 /// What a pixel gets beside its taps.
 struct DirectLight {
     Color3f radiance{0, 0, 0};
     float bend = 0;      // bound of its luminance's second derivative with the reflected direction, per radian^2
-    float nearness = 0;  // sum of luminance over distance, per scene unit
+    float nearness = 0;  // sum of nearness * nearness_weight
     float nodes = 0;     // evaluated
 };
 
-/// One a pixel. Empty where no lamp is among the lights, else `kept` is set: of each link of the chain, one after the other, what
-/// is still to be taken of each ray.
+/// One for each of pixels [begin, end) of a batch, whose taps are `taps`. Empty where no lamp is among the lights, else `kept` is set:
+/// of each link of the chain, one after the other, what is still to be taken of each ray.
 std::vector<DirectLight> direct_light(const LobeParameters& lobe, const LightChain& lights, const SurfaceBatch& batch,
-                                      const TapRaysView& taps, std::vector<float>& kept);
+                                      size_t begin, size_t end, const TapRays& taps, std::vector<float>& kept);
 
 }  // namespace burnish

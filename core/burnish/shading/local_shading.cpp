@@ -4,6 +4,7 @@
 #include <burnish/shading/area_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/reference.h>
+#include <burnish/shading/tap_rays.h>
 
 #include <algorithm>
 
@@ -12,34 +13,61 @@ namespace {
 
 const Matrix33f kWorld;  // lights of a chain know their own axes
 
-/// The taps of some pixels as rays, one after the other.
-struct TapRays {
-    std::vector<LightRay> rays;
-    std::vector<Color3f> weights;
-    std::vector<uint32_t> ends;  // of each pixel's rays
-    std::vector<Tap> taps = {};
+constexpr size_t kRaysAtOnce = 512;   // so that they and what comes back stay in the cache
+constexpr size_t kFewestPixels = 32;  // at once, however many taps they have
 
-    void add(const LobeTaps& lobe, const SurfaceBatch& batch, size_t i) {
-        const float side = lobe.lobe().side == Side::transmission ? -1.0f : 1.0f;
+/// Of pixels that make their own taps each.
+void set_own_rays(const LobeTaps& lobe, const SurfaceBatch& batch, size_t begin, size_t end, std::vector<Tap>& taps,
+                  TapRays& out) {
+    const float side = lobe.lobe().side == Side::transmission ? -1.0f : 1.0f;
+    out.rays.clear(), out.weights.clear(), out.ends.clear();
+    for (size_t i = begin; i < end; ++i) {
         const ShadingPoint point = shading_point(batch, i, lobe.lobe(), kWorld);
         lobe.at(point, taps);
         for (const Tap& tap : taps) {
             const Vec3f wi = tap.wi.normalized();
-            const Color3f weight = tap.weight * point.scale * visible_share(wi.z * side, point.ng.dot(wi) * side, tap.edge);
+            const Color3f weight = tap.weight * visible_share(wi.z * side, point.ng.dot(wi) * side, tap.edge);
             if (weight == Color3f(0, 0, 0)) continue;
-            rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level), side});
-            weights.push_back(weight);
+            out.rays.push_back({batch.p[i], batch.geometric_normal()[i], point.frame.to_world(wi), std::exp(tap.level), side});
+            out.weights.push_back({{weight.x, weight.y, weight.z, luminance(weight)}});
         }
-        ends.push_back(static_cast<uint32_t>(rays.size()));
+        out.ends.push_back(static_cast<uint32_t>(out.rays.size()));
     }
+}
 
-    /// kept: as of direct_light.
-    bool is_looked_up(size_t ray, std::span<const float> kept) const {
-        for (size_t i = ray; i < kept.size(); i += rays.size())
-            if (kept[i] > 0) return true;
-        return kept.empty();
+/// What rays [first, end) bring to pixel i.
+void add_pixel(const TapRays& asked, std::span<const Incident> found, size_t first, size_t end, const Color3f& scale, size_t i,
+               const LocalSums& out) {
+    Color3f sum(0, 0, 0);
+    float bends = 0, nearness = 0;
+    for (size_t k = first; k < end; ++k) {
+        const float* weight = asked.weights[k].rgba;
+        const Color3f light = Color3f(weight[0], weight[1], weight[2]) * found[k].radiance;
+        sum += light;
+        const float bend = std::fabs(weight[3]) * found[k].bend;
+        bends += bend, nearness += found[k].nearness * nearness_weight(luminance(light), bend);
     }
-};
+    out.overlay[i] += sum * scale;
+    if (out.bend.empty()) return;
+    out.bend[i] += bends * luminance(scale), out.nearness[i] += nearness * luminance(scale);
+}
+
+/// How many of rays [first, end) were looked up at all. kept: as of direct_light.
+size_t looked_up(std::span<const float> kept, size_t rays, size_t first, size_t end) {
+    if (kept.empty()) return end - first;
+    size_t count = 0;
+    for (size_t k = first; k < end; ++k) {
+        bool is_kept = false;
+        for (size_t i = k; i < kept.size(); i += rays) is_kept = is_kept || kept[i] > 0;
+        count += is_kept;
+    }
+    return count;
+}
+
+void add_direct(const DirectLight& direct, size_t i, const LocalSums& out) {
+    out.overlay[i] += direct.radiance, out.samples[i] += direct.nodes;
+    if (!out.bend.empty()) out.bend[i] += direct.bend, out.nearness[i] += direct.nearness;
+}
 
 /// All light at one point, for reference_estimate.
 struct LocalArrival {
@@ -59,32 +87,27 @@ MaterialTaps::MaterialTaps(const Material& material, const EstimatorSettings& es
 }
 
 void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const SurfaceBatch& batch, const LocalSums& out) {
+    const TapTable* table = taps.table();
+    const size_t at_once = std::max(kFewestPixels, table ? kRaysAtOnce / static_cast<size_t>(table->tap_count()) : 0);
     TapRays asked;
-    for (size_t i = 0; i < batch.size(); ++i) asked.add(taps, batch, i);
-    std::vector<Incident> found(asked.rays.size());
+    std::vector<Tap> own;
+    std::vector<Incident> found;
     std::vector<float> kept;
-    const std::vector<DirectLight> direct =
-        direct_light(taps.lobe(), lights, batch, {asked.rays, asked.weights, asked.ends}, kept);
-    lights.lookup(asked.rays, found, kept);
-    for (size_t i = 0, k = 0; i < batch.size(); ++i) {
-        const float before = luminance(out.overlay[i]);
-        float bend = 0, nearness = 0, total = 0;
-        for (; k < asked.ends[i]; ++k) {
-            const Color3f light = asked.weights[k] * found[k].radiance;
-            out.samples[i] += asked.is_looked_up(k, kept) ? 1.0f : 0.0f;
-            const float shown = std::fabs(luminance(light));
-            out.overlay[i] += light;
-            bend += std::fabs(luminance(asked.weights[k])) * found[k].bend;
-            nearness += shown * found[k].nearness, total += shown;
+    for (size_t begin = 0; begin < batch.size(); begin += at_once) {
+        const size_t end = std::min(begin + at_once, batch.size());
+        if (table)
+            set_table_rays({taps.lobe(), *table, kWorld}, batch, begin, end, asked);
+        else
+            set_own_rays(taps, batch, begin, end, own, asked);
+        found.resize(std::max(found.size(), asked.count()));
+        const std::vector<DirectLight> direct = direct_light(taps.lobe(), lights, batch, begin, end, asked, kept);
+        lights.lookup(std::span(asked.rays).first(asked.count()), std::span(found).first(asked.count()), kept);
+        for (size_t i = begin, first = 0; i < end; first = asked.ends[i++ - begin]) {
+            const size_t last = asked.ends[i - begin];
+            add_pixel(asked, found, first, last, lobe_scale(batch, i, taps.lobe()), i, out);
+            out.samples[i] += static_cast<float>(looked_up(kept, asked.count(), first, last));
+            if (!direct.empty()) add_direct(direct[i - begin], i, out);
         }
-        if (!direct.empty()) {
-            out.overlay[i] += direct[i].radiance, out.samples[i] += direct[i].nodes;
-            bend += direct[i].bend, nearness += direct[i].nearness, total += std::fabs(luminance(direct[i].radiance));
-        }
-        const float own = luminance(out.overlay[i]) - before, all = std::max(before + own, 1e-20f);
-        if (!out.bend.empty()) out.bend[i] += bend;
-        if (!out.nearness.empty())
-            out.nearness[i] += (nearness / std::max(total, 1e-20f) - out.nearness[i]) * std::clamp(own / all, 0.0f, 1.0f);
     }
 }
 

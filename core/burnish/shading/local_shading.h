@@ -28,7 +28,7 @@ struct LocalSums {
     std::span<float> samples;         // lookups
     std::span<float> standard_error;  // `reference` only: of the overlay's luminance
     std::span<float> bend = {};       // of the overlay's luminance with the reflected direction, per radian^2; may be empty
-    std::span<float> nearness = {};   // mean over the taps by luminance, 1 / scene units; may be empty
+    std::span<float> nearness = {};   // sum over the taps of nearness * nearness_weight; with `bend` only
 };
 
 /// Adds what one lobe reflects. The same pixel gives the same bits in whatever batch it comes.

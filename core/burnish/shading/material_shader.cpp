@@ -70,7 +70,7 @@ struct MaterialShader::LobeShader {
     }
 
     TableShading prediction() const {
-        return {lobe, few, light.pyramid().stack(), CubePyramid::kDistortion, light.world_to_light(), light.gain()};
+        return {{lobe, few, light.world_to_light()}, light.pyramid().stack(), CubePyramid::kDistortion, light.gain()};
     }
 
     /// Passes until `reference` first looks at the error of each pixel. Where there are suns, of which the prediction knows
@@ -104,7 +104,7 @@ struct MaterialShader::LobeShader {
     }
 
     TableShading with(const TapTable& own) const {
-        return {lobe, own, stack, distortion, light.world_to_light(), light.gain()};
+        return {{lobe, own, light.world_to_light()}, stack, distortion, light.gain()};
     }
 
     void add_filtered(const SurfaceBatch& batch, ShadedBatch& out) const {

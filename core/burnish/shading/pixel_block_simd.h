@@ -71,12 +71,12 @@ struct Tangents {
 };
 
 /// Frame::turned by the lobe's rotation or the pixels' own.
-HWY_INLINE Tangents rotated(const TableShading& shading, const SurfaceBatch& batch, size_t i, const Tangents& f) {
+HWY_INLINE Tangents rotated(const LobeTable& lobe_table, const SurfaceBatch& batch, size_t i, const Tangents& f) {
     const Lanes d;
     HWY_ALIGN float cosine[8], sine[8];
     for (size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-        const bool own = shading.lobe.per_pixel.rotation && i + lane < batch.rotation.size();
-        const float angle = own ? batch.rotation[i + lane] : shading.lobe.rotation;
+        const bool own = lobe_table.lobe.per_pixel.rotation && i + lane < batch.rotation.size();
+        const float angle = own ? batch.rotation[i + lane] : lobe_table.lobe.rotation;
         cosine[lane] = std::cos(angle), sine[lane] = std::sin(angle);
     }
     const VF c = hn::Load(d, cosine), s = hn::Load(d, sine);
@@ -113,29 +113,29 @@ HWY_INLINE void find_corners(const TapTable& table, const std::array<VF, TapTabl
 }
 
 /// Pixels i and on of the batch, a vector of them, to entries `at` and on of the block.
-HWY_INLINE void prepare_pixels(const TableShading& shading, const SurfaceBatch& batch, size_t i, size_t at, PixelBlock& block) {
-    const TapTable& table = shading.table;
+HWY_INLINE void prepare_pixels(const LobeTable& lobe_table, const SurfaceBatch& batch, size_t i, size_t at, PixelBlock& block) {
+    const TapTable& table = lobe_table.table;
     const V3 n = load(batch.n, i), wo = load(batch.wo, i);
     const bool isotropic = table.axes()[1].count == 1;
     Tangents f;
     f.t = tangent_along(n, isotropic ? wo : load(batch.t, i)), f.b = cross(n, f.t);
     VF x = dot(wo, f.t), y = dot(wo, f.b), z = dot(wo, n);
     if (!isotropic) {
-        f = rotated(shading, batch, i, f);
+        f = rotated(lobe_table, batch, i, f);
         x = dot(wo, f.t), y = dot(wo, f.b);
     }
     const VF side = constant(table.side_sign()), far = constant(table.side_sign() - 1);
-    store(turned(f.t, shading.world_to_light), at, block.t), store(turned(f.b, shading.world_to_light), at, block.b);
-    store(turned(n * side, shading.world_to_light), at, block.n);
-    store(turned(wo + n * hn::Mul(far, z), shading.world_to_light), at, block.wo);
-    store(turned(load(batch.geometric_normal(), i) * side, shading.world_to_light), at, block.ng);
+    store(turned(f.t, lobe_table.world_to_light), at, block.t), store(turned(f.b, lobe_table.world_to_light), at, block.b);
+    store(turned(n * side, lobe_table.world_to_light), at, block.n);
+    store(turned(wo + n * hn::Mul(far, z), lobe_table.world_to_light), at, block.wo);
+    store(turned(load(batch.geometric_normal(), i) * side, lobe_table.world_to_light), at, block.ng);
     store({x, y, z}, at, block.wo_local);
 
     const VF cos_o = clamped(z, constant(1)), one = constant(1);
     const VF stretched_x = hn::Mul(x, constant(table.azimuth_stretch()));
     const VF stretched_y = hn::Mul(y, constant(1 / table.azimuth_stretch()));
     const VF a = hn::Div(stretched_y, hn::Max(hn::Add(hn::Abs(stretched_x), hn::Abs(stretched_y)), constant(1e-30f)));
-    const bool rough = shading.lobe.per_pixel.roughness && !batch.roughness.empty();
+    const bool rough = lobe_table.lobe.per_pixel.roughness && !batch.roughness.empty();
     find_corners(table,
                  {hn::Sub(hn::Sqrt(hn::Sub(one, cos_o)), hn::Sqrt(cos_o)),
                   hn::IfThenElse(hn::Lt(x, hn::Zero(Lanes())), hn::Sub(constant(2), a), a),

@@ -1,6 +1,7 @@
 #include <burnish/shading/predictor.h>
 
 #include <burnish/shading/curvature_prediction.h>
+#include <burnish/shading/local_prediction.h>
 #include <burnish/shading/wavelet_prediction.h>
 
 #include <variant>
@@ -8,7 +9,7 @@
 namespace burnish {
 
 struct BandwidthPredictor::Variant {
-    std::variant<CurvaturePrediction, WaveletPrediction> prediction;
+    std::variant<CurvaturePrediction, WaveletPrediction, LocalPrediction> prediction;
 
     static Variant of(const Material& material, const Environment& light, const DensitySettings& settings) {
         if (settings.prediction == PredictionKind::curvature) return {CurvaturePrediction(material, light, settings)};
@@ -26,11 +27,19 @@ PerPixel operator|(const PerPixel& a, const PerPixel& b) {
 }  // namespace
 
 BandwidthPredictor::BandwidthPredictor(const Material& material, const Environment& light, const DensitySettings& settings)
-    : m_variant(std::make_shared<Variant>(Variant::of(material, light, settings))) {
-    for (const LobeParameters& lobe : material.lobes) {
-        m_is_anisotropic |= lobe.is_anisotropic();
-        m_used_layers = m_used_layers | lobe.per_pixel;
-    }
+    : m_safety(settings.safety), m_variant(std::make_shared<Variant>(Variant::of(material, light, settings))) {
+    for (const LobeParameters& lobe : material.lobes) note(lobe);
+}
+
+BandwidthPredictor::BandwidthPredictor(std::shared_ptr<const MaterialProbes> probes, LightChain lights)
+    : m_asks_rays(true), m_is_near(lights.is_near()), m_safety(probes->safety) {
+    for (const MaterialProbes::Lobe& own : probes->lobes) note(own.lobe);
+    m_variant = std::make_shared<Variant>(Variant{LocalPrediction(std::move(probes), std::move(lights))});
+}
+
+void BandwidthPredictor::note(const LobeParameters& lobe) {
+    m_is_anisotropic |= lobe.is_anisotropic();
+    m_used_layers = m_used_layers | lobe.per_pixel;
 }
 
 void BandwidthPredictor::predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const {

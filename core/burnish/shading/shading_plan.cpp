@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace burnish {
 namespace {
@@ -36,10 +37,11 @@ struct ShadingPlan::Planner {
     ShadingPlan& plan;
     std::vector<Cell> cells = {}, next = {}, own = {};  // of one level: to be settled; of the next one; of one rule
     SurfaceBatch centres = {}, neighbours = {};
-    std::vector<AngularPrediction> predictions = {};
+    std::vector<AngularPrediction> predictions = {}, found = {}, at_corners = {};
+    std::unordered_map<uint32_t, AngularPrediction> known = {};  // corners of the tile
 
     void plan_tile(int first_column, int first_row) {
-        cells.clear();
+        cells.clear(), known.clear();
         for (int row = first_row; row < std::min(first_row + kTile, plan.m_block_rows); ++row)
             for (int column = first_column; column < std::min(first_column + kTile, plan.m_block_columns); ++column)
                 if (plan.is_empty(column, row))
@@ -89,36 +91,70 @@ struct ShadingPlan::Planner {
             if (assignment.rule[pixel] == rule) own.push_back(cell), centres.pixel.push_back(pixel);
         }
         if (own.empty()) return;
-        const BatchNeeds needs = predictors[static_cast<size_t>(rule)].needs();
+        const BandwidthPredictor& predictor = predictors[static_cast<size_t>(rule)];
+        const BatchNeeds needs = predictor.needs();
         surfaces.fill(centres, needs);
         if (!centres.roughness.empty()) take_sharpest();
         predictions.resize(own.size());
-        predictors[static_cast<size_t>(rule)].predict(centres, predictions);
+        predictor.predict(centres, predictions);
+        if (predictor.is_near()) look_at_corners(predictor);
         add_other_motion(needs);
         for (size_t i = 0; i < own.size(); ++i) {
             own[i].reach = predictions[i].reach;
-            if (motion_of(own[i]) * extent_of(own[i]) <= own[i].reach)
+            if (motion_of(own[i]) * extent_of(own[i]) <= own[i].reach && !(predictor.is_near() && is_missed(i, predictor)))
                 settle(own[i], predictions[i].nu_a);
             else
                 split(own[i]);
         }
     }
 
+    void list_corners() {
+        neighbours.clear();
+        for (const Cell& cell : own)
+            for (const int down : {0, cell.size()})
+                for (const int right : {0, cell.size()})
+                    neighbours.pixel.push_back(corner_of(cell) + static_cast<uint32_t>(down * assignment.width + right));
+    }
+
+    /// Where lights are near, what a centre sees may be hidden from a corner: the faster of both counts. Cells share corners.
+    void look_at_corners(const BandwidthPredictor& predictor) {
+        list_corners();
+        const std::vector<uint32_t> corners = neighbours.pixel;
+        neighbours.clear();
+        for (const uint32_t pixel : corners)
+            if (known.try_emplace(pixel).second) neighbours.pixel.push_back(pixel);
+        surfaces.fill(neighbours, predictor.needs());
+        found.resize(neighbours.size());
+        predictor.predict(neighbours, found);
+        for (size_t k = 0; k < found.size(); ++k) known[neighbours.pixel[k]] = found[k];
+        at_corners.clear();
+        for (const uint32_t pixel : corners) at_corners.push_back(known[pixel]);
+        for (size_t k = 0; k < at_corners.size(); ++k) {
+            AngularPrediction& centre = predictions[k / 4];
+            centre.nu_a = std::max(centre.nu_a, at_corners[k].nu_a);
+            centre.nearness = std::max(centre.nearness, at_corners[k].nearness);
+            centre.reach = std::min(centre.reach, at_corners[k].reach);
+        }
+    }
+
+    /// Whether the mean of a cell's corners is not what its centre shows.
+    bool is_missed(size_t i, const BandwidthPredictor& predictor) const {
+        const AngularPrediction* corners = &at_corners[4 * i];
+        const float mean = 0.25f * (corners[0].shown + corners[1].shown + corners[2].shown + corners[3].shown);
+        return std::fabs(predictions[i].shown - mean) * predictor.safety() * predictor.safety() > kMostMissed;
+    }
+
     /// The centres stand for cells where the lobe may be narrower: take the least roughness of centre and corners.
     void take_sharpest() {
-        neighbours.clear();
-        for (size_t i = 0; i < own.size(); ++i)
-            for (const int down : {0, own[i].size()})
-                for (const int right : {0, own[i].size()})
-                    neighbours.pixel.push_back(corner_of(own[i]) + static_cast<uint32_t>(down * assignment.width + right));
+        list_corners();
         surfaces.fill(neighbours, {false, false});
         for (size_t i = 0; i < own.size(); ++i)
             for (size_t k = 4 * i; k < 4 * i + 4; ++k)
                 centres.roughness[i] = std::min(centres.roughness[i], neighbours.roughness[k]);
     }
 
-    /// Radian per pixel that the view turns, and the lobe's far end with its tangent, from the centres to their neighbours. What was
-    /// found for a larger cell holds for its parts.
+    /// Radian per pixel that the view turns, the lobe's far end with its tangent, and what is near as the point moves, from the
+    /// centres to their neighbours. What was found for a larger cell holds for its parts.
     void add_other_motion(const BatchNeeds& needs) {
         neighbours.clear();
         for (size_t i = 0; i < own.size(); ++i)
@@ -131,6 +167,7 @@ struct ShadingPlan::Planner {
             if (own[i].reach != kUnknown) continue;
             for (int side = 0; side < 2; ++side, ++k) {
                 float change = (neighbours.wo[k] - centres.wo[i]).length();
+                if (predictions[i].nearness > 0) change += predictions[i].nearness * step_across(i, k);
                 if (const float length = predictions[i].length; length > 0) {
                     change += length * (neighbours.t[k] - centres.t[i]).length();
                     if (!centres.rotation.empty()) change += length * std::fabs(neighbours.rotation[k] - centres.rotation[i]);
@@ -138,6 +175,12 @@ struct ShadingPlan::Planner {
                 own[i].others = std::max(own[i].others, change);
             }
         }
+    }
+
+    /// The way from a centre to a neighbour across the view, which is across the mirrored view, too, as both lie on the surface.
+    float step_across(size_t centre, size_t neighbour) const {
+        const Vec3f step = neighbours.p[neighbour] - centres.p[centre], wo = centres.wo[centre];
+        return (step - wo * step.dot(wo)).length();
     }
 
     void split(const Cell& cell) {

@@ -3,10 +3,12 @@
 // A cell's corners are shaded and what lies between is interpolated, so a cell may be as large as its motion, the way that the
 // reflected direction goes from one side to the other, stays a small part of a period of the overlay:
 //
-//     size * (2 * turning of normals + turning of the view) * nu_a  <=  kCellPeriods
+//     size * (2 * turning of normals + turning of the view + way across the ray * nearness) * nu_a  <=  kCellPeriods
 //
 // nu_a comes from a prediction at the cell's centre, coarse to fine: a cell too large for one prediction to hold all over it is
 // split, and so is one that a material's border, an invalid pixel or the frame's edge crosses. Cells split down to pixels there.
+// Where lights are near, one thing may hide another from one corner of a cell and not from the next, of which its centre knows
+// nothing: there the corners are predicted too, and a cell whose corners' mean is not what its centre shows is split.
 #pragma once
 
 #include <burnish/frequency/cell_turning.h>

@@ -10,7 +10,7 @@ struct ShadingPoint {
     Frame frame;   // light axes; t along the lobe's x axis
     Vec3f wo, ng;  // local
     float mx, my;
-    Color3f scale;  // tint * strength * weight: multiplies the lobe
+    Color3f scale;  // lobe_scale
 
     /// Whether wi (local) lies on the lobe's side of the geometric surface; shading normals alone let light leak through.
     bool sees(const Vec3f& wi, float side_sign) const { return ng.dot(wi) * side_sign > 0; }
@@ -24,6 +24,14 @@ inline Vec2f lobe_widths(const SurfaceBatch& batch, size_t i, const LobeParamete
     const float m = rough ? batch.roughness[i] : std::sqrt(lobe.mx * lobe.my), ratio = std::sqrt(lobe.mx / lobe.my);
     const Vec2f widths = stretched ? anisotropic_widths(m, batch.anisotropy[i]) : Vec2f(m * ratio, m / ratio);
     return {std::min(widths.x, 1.0f), std::min(widths.y, 1.0f)};
+}
+
+/// What multiplies the lobe at a pixel: tint * strength * weight.
+inline Color3f lobe_scale(const SurfaceBatch& batch, size_t i, const LobeParameters& lobe) {
+    Color3f scale = lobe.tint * lobe.strength;
+    if (lobe.per_pixel.tint && !batch.tint.x.empty()) scale *= Color3f(batch.tint[i]);
+    if (lobe.per_pixel.weight && !batch.weight.empty()) scale *= batch.weight[i];
+    return scale;
 }
 
 /// The lobe's frame in the world. An isotropic lobe has no direction of its own, so its frame follows the view: what a
@@ -44,9 +52,7 @@ inline ShadingPoint shading_point(const SurfaceBatch& batch, size_t i, const Lob
     point.ng = world.to_local(batch.geometric_normal()[i]);
     point.frame = {world.t * world_to_light, world.b * world_to_light, world.n * world_to_light};
     point.mx = widths.x, point.my = widths.y;
-    point.scale = lobe.tint * lobe.strength;
-    if (lobe.per_pixel.tint && !batch.tint.x.empty()) point.scale *= Color3f(batch.tint[i]);
-    if (lobe.per_pixel.weight && !batch.weight.empty()) point.scale *= batch.weight[i];
+    point.scale = lobe_scale(batch, i, lobe);
     return point;
 }
 

@@ -4,6 +4,7 @@
 #include <burnish/shading/tile_shading.h>
 #include <burnish/shading/upsample.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace burnish {
@@ -37,7 +38,8 @@ void list_corners(const ShadingPlan& plan, const Surfaces& surfaces, const Assig
 ShadedFrame shade_sparse(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
                          const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
                          const Progress& progress, bool with_samples) {
-    const CellTurning turning(frame, surfaces, assignment, used_layers(predictors));
+    const bool is_near = std::ranges::any_of(predictors, &BandwidthPredictor::is_near);
+    const CellTurning turning(frame, surfaces, assignment, used_layers(predictors), is_near ? AtSteps::end : AtSteps::go_on);
     const ShadingPlan plan(turning, surfaces, assignment, predictors);
     ShadedFrame shaded = shaded_frame(assignment.width, assignment.height, shaders, with_samples);
     const auto list = [&](const Window& tile, PixelLists& pixels) { list_corners(plan, surfaces, assignment, tile, pixels); };

@@ -9,13 +9,17 @@
 
 namespace burnish {
 
-/// What one lobe is shaded with; all of it outlives the call.
-struct TableShading {
+/// One lobe by its table, in the axes that its directions are to come in; all of it outlives the call.
+struct LobeTable {
     const LobeParameters& lobe;
     const TapTable& table;
+    Matrix33f world_to_light;
+};
+
+/// What one lobe is shaded with.
+struct TableShading : LobeTable {
     const CubeStack& stack;
     float distortion;  // levels per octave of cube_distortion
-    Matrix33f world_to_light;
     Color3f gain;
 };
 

@@ -137,7 +137,7 @@ void WaveletPrediction::predict(const SurfaceBatch& batch, std::span<AngularPred
     const bool source = m_settings.prediction == PredictionKind::source;
     for (size_t i = 0; i < batch.size(); ++i) {
         const float nu = source ? 0.5f * (paths[i].nu_l + paths[i].nu_kept) : paths[i].nu_kept;
-        out[i] = {m_settings.safety * nu * kCellsOfNyquist, kPi, 0};
+        out[i] = {m_settings.safety * nu * kCellsOfNyquist, kPi, 0, 0, 0};
         for (const auto& lobe : m_lobes) lobe->limit(batch, i, out[i]);
     }
 }

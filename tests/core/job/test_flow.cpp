@@ -133,6 +133,38 @@ TEST_F(Flow, BandsOfTheReferenceDrawTheSameSamples) {
     expect_bands_do_not_show(0);
 }
 
+TEST_F(Flow, BandsDoNotShowUnderLightsThatAreNear) {
+    CubeMapSettings map;
+    map.file = job.environment, map.proxy.kind = ProxyKind::box, map.proxy.box.half = Vec3f(4, 4, 4);
+    for (const float x : {-1.0f, 1.0f}) {
+        map.centre = Vec3f(x, 0, 0);
+        job.lights[x < 0 ? "left" : "right"].kind = map;
+    }
+    job.lights["lamp"] = {
+        AreaSettings{{{-1, 2, 1}, {-1, 2, 3}, {1, 2, 3}, {1, 2, 1}}, Color3f(5, 4, 3), "", true}, 1, {1, 1, 1}, false, ""};
+    for (const ShadingDensity density : {ShadingDensity::dense, ShadingDensity::sparse}) {
+        job.density.density = density;
+        expect_bands_do_not_show(0);
+    }
+}
+
+TEST_F(Flow, MirrorsOfASequenceAreReadFrameByFrame) {
+    write_sequence(2);
+    MirrorSettings mirror;
+    mirror.file = job.aovs, mirror.plane = {Vec3f(0, 0, 0), Vec3f(0, 0, 1)};
+    job.lights["floor"].kind = mirror;
+    job.camera = R"({"position": [0, 0, 6], "look_at": [0, 0, 0], "up": [0, 1, 0], "fov_x_deg": 20})";
+    std::get<MirrorSettings>(job.lights["floor"].kind).camera = job.camera;
+    job.chain = {"floor"};
+    const Report report = run_to("out", kNarrow);
+    for (size_t i = 0; i < 2; ++i) {
+        const std::vector<std::string>& notes = report.frames.at(i).notes;
+        EXPECT_EQ(std::ranges::count_if(notes, [](const std::string& note) { return note.starts_with("floor: "); }) > 0, true);
+    }
+    job.aovs = scratch.file("in.0001.exr"), job.frames.clear();
+    EXPECT_THROW(run_to("one", kNarrow), Error) << "one frame and a sequence of mirrors";
+}
+
 TEST_F(Flow, BandsOfTiledFilesToo) { expect_bands_do_not_show(32); }
 
 TEST_F(Flow, BandsKnowTheirNeighboursWhereTangentsComeFromUvs) {

@@ -37,6 +37,7 @@ json other_value(const Setting& setting) {
         case SettingKind::vector: return {1.0, 0.0, 0.5};
         case SettingKind::pairs: return {{setting.name == "channel" ? "normal" : "gold", "other"}};
         case SettingKind::rules: return json::array({{{"material", "gold"}, {"index", 3}}});
+        case SettingKind::lights: return {{"wall", {{"type", "traced"}, {"scene", "room.glb"}}}};
         case SettingKind::materials: return {{"mine", {{"model", "ggx"}, {"m", 0.2}}}};
     }
     return {};
@@ -93,7 +94,8 @@ TEST(Settings, KeepShortDecimals) {
 TEST(Settings, NameEveryPattern) {
     const std::pair<const char*, PatternKind> names[] = {
         {"auto", PatternKind::automatic}, {"circles", PatternKind::circles}, {"offset_circles", PatternKind::offset_circles},
-        {"ring", PatternKind::ring},      {"line", PatternKind::line},       {"tuned", PatternKind::tuned}};
+        {"ring", PatternKind::ring},      {"rings", PatternKind::rings},     {"line", PatternKind::line},
+        {"tuned", PatternKind::tuned}};
     const auto pattern = std::ranges::find(settings(), "pattern", &Setting::name);
     for (const auto& [name, kind] : names) {
         Job job;

@@ -47,6 +47,19 @@ std::string bytes_of(const std::string& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+TEST(AovWriter, TheCameraInTheHeaderIsTheFrames) {
+    const Scratch scratch;
+    const AovFrame written = traced_frame();
+    write_aovs(scratch.file("shot.exr"), written, "ViewLayer");
+    const AovFrame frame = read_back(scratch.file("shot.exr"));
+    ASSERT_TRUE(frame.camera);
+    EXPECT_EQ(frame.camera->source, "header");
+    EXPECT_NEAR((frame.camera->centre - written.camera->centre).length(), 0, 1e-4);
+    EXPECT_NEAR((frame.camera->axis - written.camera->axis).length(), 0, 1e-4);
+    EXPECT_NEAR((frame.camera->right - written.camera->right).length(), 0, 1e-4);
+    EXPECT_NEAR((frame.camera->up - written.camera->up).length(), 0, 1e-4);
+}
+
 TEST(AovWriter, EveryLayerIsReadBackToTheBit) {
     const Scratch scratch;
     const AovFrame written = traced_frame();

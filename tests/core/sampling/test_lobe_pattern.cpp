@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -74,6 +75,25 @@ TEST(LobePattern, LineLiesAlongTheWiderAxis) {
     for (const PatternSample& s : line_pattern(9, 10.0f, 0.1f, gaussian_radius)) EXPECT_EQ(s.v, 0);
     for (const PatternSample& s : line_pattern(9, 0.1f, 0.1f, gaussian_radius)) EXPECT_EQ(s.u, 0);
     EXPECT_EQ(regular_pattern(PatternKind::automatic, 9, 0.4f, 0.02f, 0.1f, gaussian_radius).size(), 9u);
+}
+
+TEST(LobePattern, RingsAreDenseNearTheCentre) {
+    for (const int n : {2, 5, 7, 10, 16, 19}) {
+        const LobePattern rings = regular_pattern(PatternKind::rings, n, 0.1f, 0.1f, 0.1f, gaussian_radius);
+        EXPECT_EQ(rings.size(), static_cast<size_t>(n));
+        EXPECT_NEAR(total_area(rings), -std::log(0.1) * std::numbers::pi, 1e-3);
+        double u = 0, v = 0;
+        for (const PatternSample& s : rings) u += s.u * density(s), v += s.v * density(s);
+        if (n > 2) {
+            EXPECT_NEAR(std::hypot(u, v), 0, 1e-5) << n;
+        }
+    }
+    const auto within_half = [](const LobePattern& pattern) {
+        return std::count_if(pattern.begin(), pattern.end(),
+                             [](const PatternSample& s) { return s.u * s.u + s.v * s.v < -std::log(0.1) / 4; });
+    };
+    EXPECT_EQ(within_half(rings_pattern(10, 0.1f, gaussian_radius)), 4) << "the centre and the first of three rings of three";
+    EXPECT_EQ(within_half(regular_pattern(PatternKind::circles, 19, 0.1f, 0.1f, 0.1f, gaussian_radius)), 7);
 }
 
 TEST(LobePattern, LongTailsKeepTheEnergyOfEveryCircle) {

@@ -61,6 +61,18 @@ TEST(Tracer, SeesTheInsideOfASurfaceWithNormalsTurnedToTheRay) {
     EXPECT_LT(hit->ng.x, 0);
 }
 
+TEST(Tracer, RaysGoThroughHiddenObjects) {
+    const Scene scene = sphere_on_plane();
+    const Tracer tracer(scene);
+    const int ball[] = {1}, both[] = {0, 1};
+    ASSERT_EQ(tracer.closest({0, 0, 5}, {0, 0, -1})->object, 1);
+    const auto hit = tracer.closest({0, 0, 5}, {0, 0, -1}, 0, kInfinitelyFar, ball);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->object, 0);
+    EXPECT_FLOAT_EQ(hit->distance, 5);
+    EXPECT_FALSE(tracer.closest({0, 0, 5}, {0, 0, -1}, 0, kInfinitelyFar, both));
+}
+
 TEST(Tracer, OcclusionEndsAtTheGivenDistance) {
     const Scene scene = sphere_on_plane();
     const Tracer tracer(scene);

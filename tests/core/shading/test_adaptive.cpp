@@ -102,8 +102,9 @@ TEST(Adaptive, KnowsTheVarianceUnderTheLobe) {
     const TapTable table(lobe, rule.tap_count(lobe.mx, lobe.my), rule);
     std::vector<Color3f> overlay(batch.size(), Color3f(0));
     std::vector<float> samples(batch.size()), square(batch.size()), weight(batch.size());
-    add_table_shading({lobe, table, light.pyramid().stack(), CubePyramid::kDistortion, light.world_to_light(), light.gain()},
-                      batch, {overlay, samples, square, weight});
+    const LobeTable taps{lobe, table, light.world_to_light()};
+    add_table_shading({taps, light.pyramid().stack(), CubePyramid::kDistortion, light.gain()}, batch,
+                      {overlay, samples, square, weight});
     int steep = 0, near = 0;
     for (size_t i = 0; i < batch.size(); ++i) {
         const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());

@@ -1,0 +1,54 @@
+#include <burnish/job/setting_sections.h>
+
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+using nlohmann::json;
+
+const Setting* find_setting(std::string_view section, std::string_view key) {
+    const auto table = settings();
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const Setting& s) { return s.section == section && s.key == key; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> known_keys(std::string_view section) {
+    std::vector<std::string_view> keys;
+    for (const Setting& setting : settings()) {
+        const std::string_view key = setting.section == section ? setting.key : section.empty() ? setting.section : "";
+        if (!key.empty() && std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    }
+    return keys;
+}
+
+}  // namespace
+
+bool is_section(std::string_view key) {
+    const auto table = settings();
+    return !key.empty() && std::any_of(table.begin(), table.end(), [&](const Setting& s) { return s.section == key; });
+}
+
+void set_field(Job& job, std::string_view section, const std::string& key, const json& value, const std::string& where,
+               const std::filesystem::path& folder) {
+    const Setting* setting = find_setting(section, key);
+    if (!setting) fail_unknown(where, "field", key, known_keys(section));
+    const bool is_path = setting->kind == SettingKind::path && value.is_string();
+    setting->set(job, is_path ? json(in_folder(value.get<std::string>(), folder)) : value,
+                 where + (section.empty() ? ": " : ".") + key);
+}
+
+void set_section(Job& job, std::string_view section, const json& fields, const std::string& where,
+                 const std::filesystem::path& folder) {
+    if (!fields.is_object()) fail_expected(where, "an object {...}", fields);
+    for (const auto& [key, value] : fields.items()) set_field(job, section, key, value, where, folder);
+}
+
+std::string in_folder(const std::string& path, const std::filesystem::path& folder) {
+    const bool is_json = path.starts_with('{');
+    if (path.empty() || folder.empty() || is_json || std::filesystem::path(path).is_absolute()) return path;
+    return (folder / path).string();
+}
+
+}  // namespace burnish
