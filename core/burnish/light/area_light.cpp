@@ -67,9 +67,10 @@ AreaLight::AreaLight(const AreaSettings& settings, const Color3f& gain, Image pi
             refuse("texture: a picture needs four corners that make a parallelogram, found " +
                    std::to_string(settings.corners.size()) +
                    " corners that do not. Correct the corners or leave the texture out.");
-        m_picture = std::make_shared<const AreaPicture>(std::move(picture));
         const Vec3f u = m_polygon.corners[1] - m_polygon.corners[0], v = m_polygon.corners[3] - m_polygon.corners[0];
+        m_picture = std::make_shared<const AreaPicture>(std::move(picture), u.length() / v.length());
         const Vec3f across_v = v.cross(m_polygon.normal), across_u = m_polygon.normal.cross(u);
+        m_mean = m_picture->mean();
         m_u = across_v / across_v.dot(u), m_v = across_u / across_u.dot(v);
     }
     m_nodes = area_nodes(m_polygon, m_radiance, m_picture.get());
@@ -90,6 +91,16 @@ void AreaLight::lookup(std::span<const LightRay> rays, std::span<Incident> out) 
         if (i == 0 || rays[i].p != rays[i - 1].p || up(i) != up(i - 1)) seen.look(m_polygon, rays[i].p, up(i), m_two_sided);
         out[i] = incident(rays[i], seen);
     }
+}
+
+std::span<const AreaNode> AreaLight::nodes_above(const Vec3f& p, const Vec3f& up, std::vector<AreaNode>& own) const {
+    const auto is_above = [&](const Vec3f& corner) { return up.dot(corner - p) >= 0; };
+    if (m_picture || std::all_of(m_polygon.corners.begin(), m_polygon.corners.end(), is_above)) return m_nodes;
+    std::vector<Vec3f> corners;
+    m_polygon.above(p, up, corners);
+    own.clear();
+    add_area_nodes(corners, m_radiance, own);
+    return own;
 }
 
 Incident AreaLight::incident(const LightRay& ray, const SeenPolygon& seen) const {

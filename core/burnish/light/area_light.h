@@ -32,9 +32,14 @@ public:
     bool can_sample() const { return true; }
     LightDraw sample(const Vec3f& p, const Vec2f& u) const;
 
-    /// A few places that stand for the lamp where what it shines on varies slowly over it.
-    std::span<const AreaNode> nodes() const { return m_nodes; }
+    /// A few places that stand for the lamp, where what is shone on varies slowly over it; for what a point sees of it above its
+    /// horizon, the plane across unit vector `up`, unless it is a picture. `own`: memory for them.
+    std::span<const AreaNode> nodes_above(const Vec3f& p, const Vec3f& up, std::vector<AreaNode>& own) const;
     const ConvexPolygon& polygon() const { return m_polygon; }
+    const Color3f& radiance() const { return m_radiance; }  // without the picture
+    /// Of the picture, 1 without one.
+    const Color3f& mean_colour() const { return m_mean; }
+    bool is_solid() const { return !m_picture; }
     bool is_two_sided() const { return m_two_sided; }
 
 private:
@@ -56,6 +61,7 @@ private:
     std::shared_ptr<const AreaPicture> m_picture;  // null: solid
     Vec3f m_u{0, 0, 0}, m_v{0, 0, 0};              // gradients of u and v on the plane, per scene unit
     std::vector<AreaNode> m_nodes;
+    Color3f m_mean{1, 1, 1};
 };
 
 }  // namespace burnish

@@ -17,6 +17,12 @@ constexpr std::array<Points, kMost> kPoints{{{1, {0.5f}, {1}},
                                              {2, {0.2113249f, 0.7886751f}, {0.5f, 0.5f}},
                                              {3, {0.1127017f, 0.5f, 0.8872983f}, {5 / 18.0f, 8 / 18.0f, 5 / 18.0f}}}};
 
+/// Of each quadrilateral of a polygon: the more of them, the fewer.
+const Points& points_for(size_t corners) {
+    const size_t pieces = (corners - 1) / 2;
+    return kPoints[pieces == 1 ? kMost - 1 : pieces <= 4 ? 1 : 0];
+}
+
 /// The polynomial that is 1 at one of the points and 0 at the others.
 float lagrange(const Points& points, int of, float x) {
     float value = 1;
@@ -69,15 +75,19 @@ struct Quadrilateral {
 
 }  // namespace
 
+void add_area_nodes(std::span<const Vec3f> corners, const Color3f& radiance, std::vector<AreaNode>& nodes) {
+    const Points& points = points_for(corners.size());
+    for (size_t i = 1; i + 1 < corners.size(); i += 2) {
+        const Vec3f& last = corners[std::min(i + 2, corners.size() - 1)];
+        Quadrilateral{corners[0], corners[i], corners[i + 1], last}.add(points, radiance, nodes);
+    }
+}
+
 std::vector<AreaNode> area_nodes(const ConvexPolygon& polygon, const Color3f& radiance, const AreaPicture* picture) {
-    const std::vector<Vec3f>& corners = polygon.corners;
-    const size_t pieces = (corners.size() - 1) / 2;
-    const Points& points = kPoints[pieces == 1 ? 2 : pieces <= 4 ? 1 : 0];
     std::vector<AreaNode> nodes;
-    for (size_t i = 1; i + 1 < corners.size(); i += 2)
-        Quadrilateral{corners[0], corners[i], corners[i + 1], corners[std::min(i + 2, corners.size() - 1)]}.add(
-            points, radiance, nodes);
+    add_area_nodes(polygon.corners, radiance, nodes);
     if (!picture) return nodes;
+    const Points& points = points_for(polygon.corners.size());
     for (int j = 0; j < points.count; ++j)
         for (int i = 0; i < points.count; ++i)
             nodes[static_cast<size_t>(j * points.count + i)].power =

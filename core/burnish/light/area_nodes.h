@@ -8,6 +8,7 @@
 #include <burnish/light/area_picture.h>
 #include <burnish/light/convex_polygon.h>
 
+#include <span>
 #include <vector>
 
 namespace burnish {
@@ -17,6 +18,9 @@ struct AreaNode {
     Color3f power;  // sum of power * g(p) over the nodes = integral of radiance * g over the area
     float radius;   // of a disc as large as the part it stands for, scene units
 };
+
+/// The nodes of a convex polygon of even radiance, appended.
+void add_area_nodes(std::span<const Vec3f> corners, const Color3f& radiance, std::vector<AreaNode>& nodes);
 
 /// `picture`: over a parallelogram; null = none.
 std::vector<AreaNode> area_nodes(const ConvexPolygon& polygon, const Color3f& radiance, const AreaPicture* picture);

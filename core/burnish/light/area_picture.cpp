@@ -8,11 +8,22 @@ namespace burnish {
 namespace {
 
 constexpr float kSpacing = 1.7f;  // of round lookups along a longer axis, deviations
+constexpr int kFinest = 32;       // times as many texels
 constexpr float kLeast = 0.03f;   // weight of the last ones, taken off all so that none appears at once
 
-Image with_cover(const Image& rgb) {
-    Image rgba(rgb.width, rgb.height, 4, 1.0f);
-    for (size_t i = 0; i < rgb.pixel_count(); ++i) std::copy_n(rgb.at(i), 3, rgba.at(i));
+/// RGBA with texels about as wide as high on a lamp of this aspect: finer along one axis where they are not.
+Image with_cover(const AreaPicture& picture, float aspect) {
+    const int width = picture.rgb().width, height = picture.rgb().height;
+    const float texel_aspect = aspect * static_cast<float>(height) / static_cast<float>(width);
+    const auto finer = [](float ratio) { return std::clamp(static_cast<int>(std::lround(ratio)), 1, kFinest); };
+    Image rgba(width * finer(texel_aspect), height * finer(1 / texel_aspect), 4, 1.0f);
+    for_each_index(rgba.height, [&](int y) {
+        for (int x = 0; x < rgba.width; ++x) {
+            const Color3f color = picture.at({(static_cast<float>(x) + 0.5f) / static_cast<float>(rgba.width),
+                                              1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(rgba.height)});
+            std::copy_n(&color.x, 3, rgba.at(x, y));
+        }
+    });
     return rgba;
 }
 
@@ -58,8 +69,15 @@ struct Axes {
 
 }  // namespace
 
-AreaPicture::AreaPicture(Image rgb) : m_rgb(std::move(rgb)), m_stack(with_cover(m_rgb)) {
+AreaPicture::AreaPicture(Image rgb, float aspect) : m_rgb(std::move(rgb)) {
+    m_stack = PlanarStack(with_cover(*this, aspect));
     m_table = SampleTable(m_rgb.width, m_rgb.height, weights_of(*this, m_rgb.width, m_rgb.height));
+}
+
+Color3f AreaPicture::mean() const {
+    Imath::V3d sum(0, 0, 0);
+    for (size_t i = 0; i < m_rgb.pixel_count(); ++i) sum += Imath::V3d(m_rgb.at(i)[0], m_rgb.at(i)[1], m_rgb.at(i)[2]);
+    return Color3f(Vec3f(sum / static_cast<double>(m_rgb.pixel_count())));
 }
 
 Color3f AreaPicture::at(const Vec2f& uv) const {
@@ -74,7 +92,7 @@ Color3f AreaPicture::at(const Vec2f& uv) const {
 }
 
 AreaPicture::Filtered AreaPicture::filtered(const Vec2f& uv, const PictureEllipse& ellipse) const {
-    const Vec2f texels(static_cast<float>(m_rgb.width), -static_cast<float>(m_rgb.height));
+    const Vec2f texels(static_cast<float>(m_stack.width()), -static_cast<float>(m_stack.height()));
     const Vec2f centre(uv.x * texels.x, (uv.y - 1) * texels.y);
     const Axes axes(ellipse.a * texels, ellipse.b * texels);
     const float round = std::max(axes.shorter, axes.longer / kLongest);

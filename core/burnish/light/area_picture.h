@@ -16,11 +16,12 @@ struct PictureEllipse {
 class AreaPicture {
 public:
     AreaPicture() = default;
-    /// RGB, finite, >= 0.
-    explicit AreaPicture(Image rgb);
+    /// RGB, finite, >= 0. aspect: width over height of what it lies on.
+    explicit AreaPicture(Image rgb, float aspect = 1);
 
     bool empty() const { return m_rgb.empty(); }
     const Image& rgb() const { return m_rgb; }
+    Color3f mean() const;
 
     /// Bilinear, clamped at the edges.
     Color3f at(const Vec2f& uv) const;

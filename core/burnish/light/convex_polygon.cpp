@@ -53,6 +53,28 @@ ConvexPolygon::ConvexPolygon(std::vector<Vec3f> given) : corners(std::move(given
     check(*this);
 }
 
+/// Sutherland & Hodgman 1974.
+void ConvexPolygon::above(const Vec3f& from, const Vec3f& up, std::vector<Vec3f>& cut) const {
+    cut.clear();
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const Vec3f &here = corners[i], &next = corners[(i + 1) % corners.size()];
+        const float above_here = up.dot(here - from), above_next = up.dot(next - from);
+        if (above_here > 0) cut.push_back(here);
+        if ((above_here > 0) != (above_next > 0))
+            cut.push_back(here + (next - here) * (above_here / (above_here - above_next)));
+    }
+    if (cut.size() < 3) cut.clear();
+}
+
+Vec3f ConvexPolygon::longest_edge() const {
+    Vec3f longest(0, 0, 0);
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const Vec3f edge = corners[(i + 1) % corners.size()] - corners[i];
+        if (edge.length2() > longest.length2()) longest = edge;
+    }
+    return longest.normalized();
+}
+
 bool ConvexPolygon::is_parallelogram() const {
     return corners.size() == 4 && (corners[0] + corners[2] - corners[1] - corners[3]).length() <= kFlat * size;
 }

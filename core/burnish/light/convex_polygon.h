@@ -20,7 +20,11 @@ struct ConvexPolygon {
 
     /// Height of a point above the plane.
     float height(const Vec3f& p) const { return normal.dot(p - corners[0]); }
+    /// Unit direction.
+    Vec3f longest_edge() const;
     bool is_parallelogram() const;
+    /// The corners of what lies above a plane through `from`, `up` its unit normal: none, or three and more.
+    void above(const Vec3f& from, const Vec3f& up, std::vector<Vec3f>& cut) const;
 };
 
 }  // namespace burnish

@@ -27,10 +27,11 @@ struct RaysLeft {
     std::vector<LightRay> rays;
     std::vector<uint32_t> places;
 
-    void take(std::span<const LightRay> all, std::span<const float> left) {
+    /// needed: whether those of which nothing is kept are asked, too.
+    void take(std::span<const LightRay> all, std::span<const float> left, std::span<const float> kept, bool needed) {
         rays.clear(), places.clear();
         for (uint32_t i = 0; i < all.size(); ++i)
-            if (left[i] > kNothingLeft) rays.push_back(all[i]), places.push_back(i);
+            if (left[i] > kNothingLeft && (needed || kept.empty() || kept[i] > 0)) rays.push_back(all[i]), places.push_back(i);
     }
 };
 
@@ -47,25 +48,30 @@ bool LightChain::is_near() const {
     return !std::all_of(m_links.begin(), m_links.end(), is_distant);
 }
 
-void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out) const {
-    if (m_links.empty()) std::fill(out.begin(), out.end(), Incident());
+void LightChain::lookup(std::span<const LightRay> rays, std::span<Incident> out, std::span<const float> kept) const {
+    if (m_links.empty() || !kept.empty()) std::fill(out.begin(), out.end(), Incident());
     if (m_links.empty()) return;
-    ask(*m_links[0].light, rays, out);
-    if (m_links.size() == 1) return;
-    std::vector<float> left(rays.size(), 1.0f);
-    for (size_t i = 0; i < out.size(); ++i) {
-        out[i].nearness *= nearness_weight(luminance(out[i].radiance), out[i].bend);
-        if (m_links[0].blocks) left[i] = 1 - out[i].cover;
+    std::vector<float> left(m_links.size() == 1 && kept.empty() ? 0 : rays.size(), 1.0f);
+    size_t next = 0;
+    if (kept.empty()) {
+        ask(*m_links[next++].light, rays, out);
+        if (m_links.size() == 1) return;
+        for (size_t i = 0; i < out.size(); ++i) {
+            out[i].nearness *= nearness_weight(luminance(out[i].radiance), out[i].bend);
+            if (m_links[0].blocks) left[i] = 1 - out[i].cover;
+        }
     }
     std::vector<Incident> found;
     RaysLeft asked;
-    for (const Link& link : std::span(m_links).subspan(1)) {
-        asked.take(rays, left);
+    for (; next < m_links.size(); ++next) {
+        const Link& link = m_links[next];
+        const std::span<const float> own = kept.empty() ? kept : kept.subspan(next * rays.size(), rays.size());
+        asked.take(rays, left, own, link.blocks);
         found.resize(asked.rays.size());
         ask(*link.light, asked.rays, found);
         for (size_t k = 0; k < found.size(); ++k) {
             const uint32_t i = asked.places[k];
-            add(found[k], left[i], out[i]);
+            add(found[k], own.empty() ? left[i] : left[i] * own[i], out[i]);
             if (link.blocks) left[i] *= 1 - found[k].cover;
         }
     }

@@ -31,8 +31,9 @@ public:
     /// Whether what arrives depends on the place: not where all lights are environments.
     bool is_near() const;
 
-    /// out[i] of rays[i], as light_ray.h says; nearness is the mean by nearness_weight.
-    void lookup(std::span<const LightRay> rays, std::span<Incident> out) const;
+    /// out[i] of rays[i], as light_ray.h says; nearness is the mean by nearness_weight. kept: of each link, one after the other, what
+    /// to take of each ray; empty = all.
+    void lookup(std::span<const LightRay> rays, std::span<Incident> out, std::span<const float> kept = {}) const;
     /// Share of a ray that the links before `link` leave, [0, 1].
     float left_for(size_t link, const LightRay& ray) const;
 

@@ -8,12 +8,12 @@
 namespace burnish {
 namespace {
 
-constexpr float kFar = 5.5f;          // deviations from where a Gaussian has nothing left, to a float
-constexpr float kEdgeOn = 1e-5f;      // height over size, from where a polygon is seen as a line
-constexpr float kReach = 4.5f;        // deviations up to where edges are followed
-constexpr float kStep = 0.6f;         // longest straight line on the map, radian
-constexpr float kNarrowest = 1e-6f;   // radian
-constexpr float kSteepest = 0.2420f;  // largest second derivative of the Gaussian integral, 1 / sqrt(2 pi e)
+constexpr float kFar = 5.5f;                      // deviations from where a Gaussian has nothing left, to a float
+constexpr float kEdgeOn = 1e-5f;                  // height over size, from where a polygon is seen as a line
+constexpr float kReach = 4.5f;                    // deviations up to where edges are followed
+constexpr float kStep = 0.6f;                     // longest straight line on the map, radian
+constexpr float kNarrowest = 1e-6f, kWidest = 3;  // radian
+constexpr float kSteepest = 0.2420f;              // largest second derivative of the Gaussian integral, 1 / sqrt(2 pi e)
 
 /// Share of a normal distribution beyond x deviations.
 float beyond(float x) { return 0.5f * std::erfc(x * std::numbers::sqrt2_v<float> * 0.5f); }
@@ -134,11 +134,10 @@ void SeenPolygon::look(const ConvexPolygon& polygon, const Vec3f& from, const Ve
     m_edges.clear(), m_corners.clear(), m_solid_angle = 0;
     const float height = polygon.height(from);
     if (!(std::fabs(height) > kEdgeOn * polygon.size) || (height < 0 && !both_sides)) return;
-    cut_off(polygon, from, up);
+    polygon.above(from, up, m_corners);
     const size_t count = m_corners.size();
-    if (count < 3) return;
     if (height > 0) std::reverse(m_corners.begin(), m_corners.end());  // who looks at its front sees it turn the other way
-    for (Vec3f& corner : m_corners) corner.normalize();
+    for (Vec3f& corner : m_corners) corner = (corner - from).normalized();
     for (size_t i = 0; i < count; ++i) {
         const Vec3f &begin = m_corners[i], &end = m_corners[(i + 1) % count], across = begin.cross(end - begin);
         if (across.length2() > 0) m_edges.push_back({begin, end, across.normalized()});
@@ -147,21 +146,10 @@ void SeenPolygon::look(const ConvexPolygon& polygon, const Vec3f& from, const Ve
         m_solid_angle += static_cast<float>(SphericalTriangle(m_corners[0], m_corners[i], m_corners[i + 1]).solid_angle());
 }
 
-/// Sutherland & Hodgman 1974.
-void SeenPolygon::cut_off(const ConvexPolygon& polygon, const Vec3f& from, const Vec3f& up) {
-    const size_t count = polygon.corners.size();
-    for (size_t i = 0; i < count; ++i) {
-        const Vec3f here = polygon.corners[i] - from, next = polygon.corners[(i + 1) % count] - from;
-        const float above = here.dot(up), next_above = next.dot(up);
-        if (above > 0) m_corners.push_back(here);
-        if ((above > 0) != (next_above > 0)) m_corners.push_back(here + (next - here) * (above / (above - next_above)));
-    }
-}
-
 GaussianPart SeenPolygon::gaussian(const Vec3f& d, float width) const {
     GaussianPart part;
     if (m_edges.empty()) return part;
-    const float sigma = std::max(width, kNarrowest), narrow = 1 / (sigma * sigma);
+    const float sigma = std::clamp(width, kNarrowest, kWidest), narrow = 1 / (sigma * sigma);
     const LambertMap map(d, sigma);
     bool inside = true;
     float lost = 0, bend = 0, nearest = INFINITY;
@@ -174,7 +162,7 @@ GaussianPart SeenPolygon::gaussian(const Vec3f& d, float width) const {
         if (distance < nearest) nearest = distance, part.nearest = map.direction(mapped.nearest);
     }
     if (inside) part.nearest = d;
-    part.share = std::clamp((inside ? 1.0f : 0.0f) - lost, 0.0f, 1.0f);
+    part.share = std::clamp(((inside ? 1.0f : 0.0f) - lost) / -std::expm1(-2 * narrow), 0.0f, 1.0f);
     if (!inside && nearest > kFar + kCurvatureReach) return {};
     const float most = m_solid_angle * narrow / (2 * kPi);  // of the peak's height all over
     part.bend = narrow * std::min(bend, most);

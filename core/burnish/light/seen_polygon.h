@@ -42,9 +42,7 @@ private:
         Vec3f begin, end;  // unit; counter-clockwise round the polygon
         Vec3f inward;      // unit normal of the great circle
     };
-    void cut_off(const ConvexPolygon& polygon, const Vec3f& from, const Vec3f& up);
-
-    std::vector<Vec3f> m_corners;  // above the horizon, from the point
+    std::vector<Vec3f> m_corners;  // directions
     std::vector<Edge> m_edges;
     float m_solid_angle = 0;
 };

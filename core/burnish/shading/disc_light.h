@@ -8,6 +8,7 @@
 
 #include <burnish/light/bright_discs.h>
 #include <burnish/material/lobe.h>
+#include <burnish/shading/half_slopes.h>
 #include <burnish/shading/shading_point.h>
 
 #include <algorithm>
@@ -95,12 +96,6 @@ Color3f mean_of_taps(const LobeType& lobe, const ShadingPoint& point, const Loca
     Color3f sum(0, 0, 0);
     for (const Vec2f& tap : taps) sum += disc_value(lobe, point, disc.part(tap, scale));
     return sum / count;
-}
-
-/// Slopes of the half vector of wo and the mirrored wi.
-inline Vec2f half_slopes(const Vec3f& wo, const Vec3f& wi) {
-    const Vec3f sum = wo + wi;
-    return Vec2f(sum.x, sum.y) / std::max(sum.z, kMinCosine);
 }
 
 /// Mean over a disc that is not small against the lobe.

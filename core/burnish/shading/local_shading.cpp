@@ -47,9 +47,26 @@ void add_pixel(const TapRays& asked, std::span<const Incident> found, size_t fir
         const float bend = std::fabs(weight[3]) * found[k].bend;
         bends += bend, nearness += found[k].nearness * nearness_weight(luminance(light), bend);
     }
-    out.overlay[i] += sum * scale, out.samples[i] += static_cast<float>(end - first);
+    out.overlay[i] += sum * scale;
     if (out.bend.empty()) return;
     out.bend[i] += bends * luminance(scale), out.nearness[i] += nearness * luminance(scale);
+}
+
+/// How many of rays [first, end) were looked up at all. kept: as of direct_light.
+size_t looked_up(std::span<const float> kept, size_t rays, size_t first, size_t end) {
+    if (kept.empty()) return end - first;
+    size_t count = 0;
+    for (size_t k = first; k < end; ++k) {
+        bool is_kept = false;
+        for (size_t i = k; i < kept.size(); i += rays) is_kept = is_kept || kept[i] > 0;
+        count += is_kept;
+    }
+    return count;
+}
+
+void add_direct(const DirectLight& direct, size_t i, const LocalSums& out) {
+    out.overlay[i] += direct.radiance, out.samples[i] += direct.nodes;
+    if (!out.bend.empty()) out.bend[i] += direct.bend, out.nearness[i] += direct.nearness;
 }
 
 /// All light at one point, for reference_estimate.
@@ -76,6 +93,7 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
     TapRays asked;
     std::vector<Tap> own;
     std::vector<Incident> found;
+    std::vector<float> kept;
     for (size_t begin = 0; begin < batch.size(); begin += at_once) {
         const size_t end = std::min(begin + at_once, batch.size());
         if (table)
@@ -83,10 +101,14 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
         else
             set_own_rays(taps, batch, begin, end, own, asked);
         found.resize(std::max(found.size(), asked.count()));
-        lights.lookup(std::span(asked.rays).first(asked.count()), std::span(found).first(asked.count()));
-        for (size_t i = begin, first = 0; i < end; first = asked.ends[i++ - begin])
-            add_pixel(asked, found, first, asked.ends[i - begin], lobe_scale(batch, i, taps.lobe()), i, out);
-        add_area_residuals(taps.lobe(), lights, batch, begin, end, asked, out.overlay, out.samples);
+        const std::vector<DirectLight> direct = direct_light(taps.lobe(), lights, batch, begin, end, asked, kept);
+        lights.lookup(std::span(asked.rays).first(asked.count()), std::span(found).first(asked.count()), kept);
+        for (size_t i = begin, first = 0; i < end; first = asked.ends[i++ - begin]) {
+            const size_t last = asked.ends[i - begin];
+            add_pixel(asked, found, first, last, lobe_scale(batch, i, taps.lobe()), i, out);
+            out.samples[i] += static_cast<float>(looked_up(kept, asked.count(), first, last));
+            if (!direct.empty()) add_direct(direct[i - begin], i, out);
+        }
     }
 }
 
