@@ -37,12 +37,6 @@ struct RaysLeft {
 
 }  // namespace
 
-const Environment* LightChain::lone_environment() const {
-    if (m_links.size() != 1) return nullptr;
-    const auto* light = std::get_if<EnvironmentLight>(m_links[0].light.get());
-    return light ? &light->environment() : nullptr;
-}
-
 bool LightChain::is_near() const {
     const auto is_distant = [](const Link& link) { return std::holds_alternative<EnvironmentLight>(*link.light); };
     return !std::all_of(m_links.begin(), m_links.end(), is_distant);

@@ -25,8 +25,6 @@ public:
     explicit LightChain(std::vector<Link> links) : m_links(std::move(links)) {}
 
     const std::vector<Link>& links() const { return m_links; }
-    /// The environment where that is all there is, else null.
-    const Environment* lone_environment() const;
 
     /// Whether what arrives depends on the place: not where all lights are environments.
     bool is_near() const;
