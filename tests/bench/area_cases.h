@@ -1,7 +1,7 @@
 // Lamps over a floor and a sphere: what estimators under area lights are compared on.
 #pragma once
 
-#include <burnish/light/area_light.h>
+#include <burnish/light/area/area_light.h>
 #include <burnish/surface/surface_batch.h>
 
 #include <string>

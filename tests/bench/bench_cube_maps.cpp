@@ -2,7 +2,7 @@
 // time to load a map of 6 x 256 x 256 texels and the bytes that it holds.
 #include "core/light/painted_room.h"
 
-#include <burnish/light/cube_map_light.h>
+#include <burnish/light/cube_map/cube_map_light.h>
 
 #include <benchmark/benchmark.h>
 

@@ -1,10 +1,10 @@
 // Distant light: filtered lookups per second on one core beside OpenImageIO's texture system, and the time to make a cube
 // pyramid or a Gaussian stack and to resample a lat-long.
 #include <burnish/base/parallel.h>
-#include <burnish/light/cube_pyramid.h>
-#include <burnish/light/cube_resample.h>
 #include <burnish/light/environment.h>
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/cube_pyramid.h>
+#include <burnish/light/filter/cube_resample.h>
+#include <burnish/light/filter/gaussian_stack.h>
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // The limit of this machine: the bare lookup kernel, nothing else, over lobes of eight directions. What whole estimators
 // reach is to be read against it. Half-float texels are tried here as well.
-#include <burnish/light/cube_pyramid.h>
-#include <burnish/light/cube_resample.h>
+#include <burnish/light/filter/cube_pyramid.h>
+#include <burnish/light/filter/cube_resample.h>
 
 #include <Imath/half.h>
 #include <benchmark/benchmark.h>
@@ -12,7 +12,7 @@
 #define HWY_TARGET_INCLUDE "bench_limit.cpp"
 #include <hwy/foreach_target.h>
 
-#include <burnish/light/stack_lookup_simd.h>
+#include <burnish/light/filter/stack_lookup_simd.h>
 
 #ifndef BURNISH_BENCH_LIMIT
 #define BURNISH_BENCH_LIMIT

@@ -4,7 +4,7 @@
 // is known. Matrices are fitted here to burnish's own lobes, one table a roughness, so that only the method is compared.
 #pragma once
 
-#include <burnish/light/convex_polygon.h>
+#include <burnish/light/area/convex_polygon.h>
 #include <burnish/material/parameters.h>
 
 #include <array>

@@ -12,7 +12,7 @@
 #include <burnish/base/parallel.h>
 #include <burnish/frequency/light_bandwidth.h>
 #include <burnish/frequency/lobe_bandwidth.h>
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
 #include <burnish/material/lobe.h>
 #include <burnish/output/compare.h>
 #include <burnish/sampling/sample_ladder.h>

@@ -11,7 +11,7 @@
 #pragma once
 
 #include <burnish/light/bright_discs.h>
-#include <burnish/light/cube_stack.h>
+#include <burnish/light/filter/cube_stack.h>
 
 #include <array>
 #include <span>

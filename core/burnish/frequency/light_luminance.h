@@ -2,7 +2,7 @@
 #pragma once
 
 #include <burnish/light/bright_discs.h>
-#include <burnish/light/cube_level.h>
+#include <burnish/light/filter/cube_level.h>
 
 #include <array>
 #include <span>

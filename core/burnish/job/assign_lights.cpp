@@ -2,7 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
-#include <burnish/light/plane.h>
+#include <burnish/light/mirror/plane.h>
 
 #include <algorithm>
 #include <limits>

@@ -4,7 +4,7 @@
 
 #include <burnish/base/progress.h>
 #include <burnish/job/bake_job.h>
-#include <burnish/light/lit_scene.h>
+#include <burnish/light/traced/lit_scene.h>
 #include <burnish/output/report.h>
 
 #include <memory>

@@ -1,8 +1,8 @@
 #include <burnish/base/error.h>
 #include <burnish/base/json_fields.h>
 #include <burnish/job/bake_job.h>
+#include <burnish/light/cube_map/proxy_json.h>
 #include <burnish/light/light_json.h>
-#include <burnish/light/proxy_json.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <burnish/job/bake_job.h>
-#include <burnish/light/bake_cube_map.h>
+#include <burnish/light/cube_map/bake_cube_map.h>
 #include <burnish/scene/view.h>
 
 namespace burnish {

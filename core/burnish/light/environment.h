@@ -3,7 +3,7 @@
 
 #include <burnish/base/up_axis.h>
 #include <burnish/light/bright_discs.h>
-#include <burnish/light/cube_pyramid.h>
+#include <burnish/light/filter/cube_pyramid.h>
 
 #include <functional>
 #include <memory>

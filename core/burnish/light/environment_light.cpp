@@ -1,8 +1,8 @@
 #include <burnish/light/environment_light.h>
 
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
+#include <burnish/light/filter/stack_lookup.h>
 #include <burnish/light/light_mean.h>
-#include <burnish/light/stack_lookup.h>
 
 namespace burnish {
 namespace {

@@ -1,8 +1,8 @@
 // From a file or an image to an Environment: suns, cube faces, notes.
 #include <burnish/base/error.h>
-#include <burnish/light/cube_resample.h>
 #include <burnish/light/environment_picture.h>
 #include <burnish/light/environment_source.h>
+#include <burnish/light/filter/cube_resample.h>
 
 #include <bit>
 

@@ -2,9 +2,9 @@
 // lookups read, and the cube faces that the filtered ones are made from.
 #pragma once
 
-#include <burnish/light/cube_level.h>
 #include <burnish/light/environment_picture.h>
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/cube_level.h>
+#include <burnish/light/filter/gaussian_stack.h>
 #include <burnish/light/sample_table.h>
 
 #include <mutex>

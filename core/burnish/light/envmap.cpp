@@ -2,8 +2,8 @@
 
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
-#include <burnish/light/cube_resample.h>
 #include <burnish/light/environment_layouts.h>
+#include <burnish/light/filter/cube_resample.h>
 #include <burnish/light/latlong.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/base/json_fields.h>
-#include <burnish/light/proxy_json.h>
+#include <burnish/light/cube_map/proxy_json.h>
 
 #include <nlohmann/json.hpp>
 

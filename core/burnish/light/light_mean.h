@@ -4,7 +4,7 @@
 // a job, whatever bands and tiles its frames are shaded in. Predictions depend on it by its fourth root only.
 #pragma once
 
-#include <burnish/light/cube_stack.h>
+#include <burnish/light/filter/cube_stack.h>
 #include <burnish/light/light_chain.h>
 
 namespace burnish {

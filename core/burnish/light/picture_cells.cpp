@@ -1,7 +1,7 @@
 #include <burnish/light/picture_cells.h>
 
 #include <burnish/base/parallel.h>
-#include <burnish/light/cube_faces.h>
+#include <burnish/light/filter/cube_faces.h>
 
 #include <algorithm>
 #include <numbers>

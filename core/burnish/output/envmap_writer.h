@@ -1,7 +1,7 @@
 // Distant light as a picture: resampled to a layout and written so that every reader of EXR environment maps takes it.
 #pragma once
 
-#include <burnish/light/bake_cube_map.h>
+#include <burnish/light/cube_map/bake_cube_map.h>
 #include <burnish/light/environment.h>
 
 #include <string>

@@ -1,6 +1,6 @@
 #include <burnish/shading/bend_sums.h>
 
-#include <burnish/light/light_curvature.h>
+#include <burnish/light/filter/light_curvature.h>
 #include <burnish/shading/shading_point.h>
 
 #include <algorithm>

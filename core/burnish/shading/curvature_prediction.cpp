@@ -1,6 +1,6 @@
 #include <burnish/shading/curvature_prediction.h>
 
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
 #include <burnish/light/light_mean.h>
 #include <burnish/material/lobe.h>
 #include <burnish/shading/disc_bend.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <burnish/light/bright_discs.h>
-#include <burnish/light/light_curvature.h>
+#include <burnish/light/filter/light_curvature.h>
 #include <burnish/shading/shading_point.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // (docs/measured.md, which also says where not).
 #pragma once
 
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
 #include <burnish/sampling/estimator.h>
 #include <burnish/shading/tap_table.h>
 

@@ -4,8 +4,8 @@
 // to the mirror direction. The lamp's own falling off with the distance is part of the form, which matters from close by.
 #pragma once
 
-#include <burnish/light/convex_polygon.h>
-#include <burnish/light/focused_nodes.h>
+#include <burnish/light/area/convex_polygon.h>
+#include <burnish/light/area/focused_nodes.h>
 #include <burnish/shading/shading_point.h>
 
 #include <span>

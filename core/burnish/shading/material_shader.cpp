@@ -1,6 +1,6 @@
 #include <burnish/shading/material_shader.h>
 
-#include <burnish/light/stack_lookup.h>
+#include <burnish/light/filter/stack_lookup.h>
 #include <burnish/material/lobe.h>
 #include <burnish/sampling/tuned_patterns.h>
 #include <burnish/shading/adaptive_shading.h>

@@ -1,6 +1,6 @@
 // Internal. What `shading_point` is for one pixel, for a block of pixels at a time: frames in light axes and where the views
 // lie in a table of taps. Lanes are pixels. Compiled once per instruction set.
-#include <burnish/light/stack_lookup_simd.h>
+#include <burnish/light/filter/stack_lookup_simd.h>
 #include <burnish/shading/table_shading.h>
 
 // Included anew for each instruction set.

@@ -5,7 +5,7 @@
 // reflection at grazing angles; anisotropic lobes are taken for round ones of their mean width.
 #pragma once
 
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
 #include <burnish/shading/tap_table.h>
 
 namespace burnish {

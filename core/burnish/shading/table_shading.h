@@ -1,7 +1,7 @@
 // Shading by a table of taps: a batch of pixels at a time, with the widest vectors the processor has.
 #pragma once
 
-#include <burnish/light/cube_stack.h>
+#include <burnish/light/filter/cube_stack.h>
 #include <burnish/shading/tap_table.h>
 #include <burnish/surface/surface_batch.h>
 

@@ -1,8 +1,8 @@
 // A room of boxes seen in its mirror floor, by ray casting: what mirror buffers are checked against.
 #pragma once
 
-#include <burnish/light/mirror_buffer.h>
-#include <burnish/light/plane.h>
+#include <burnish/light/mirror/mirror_buffer.h>
+#include <burnish/light/mirror/plane.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Where a mirrored render sees one surface beside another at a different depth.
 #pragma once
 
-#include <burnish/light/mirror_buffer.h>
+#include <burnish/light/mirror/mirror_buffer.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Pictures and directions the light tests share.
 #pragma once
 
-#include <burnish/light/cube_pyramid.h>
+#include <burnish/light/filter/cube_pyramid.h>
 
 #include <array>
 #include <random>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <burnish/base/image.h>
-#include <burnish/light/cube_faces.h>
+#include <burnish/light/filter/cube_faces.h>
 #include <burnish/light/latlong.h>
 
 #include <array>

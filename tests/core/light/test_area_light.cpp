@@ -2,7 +2,7 @@
 #include "core/chi_square.h"
 
 #include <burnish/base/error.h>
-#include <burnish/light/area_light.h>
+#include <burnish/light/area/area_light.h>
 #include <burnish/sampling/sequence.h>
 
 #include <gtest/gtest.h>

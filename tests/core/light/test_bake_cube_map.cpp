@@ -1,6 +1,6 @@
 // Cube maps of a scene: texels against rays traced by hand, and as Environment reads the file back.
 #include <burnish/base/parallel.h>
-#include <burnish/light/bake_cube_map.h>
+#include <burnish/light/cube_map/bake_cube_map.h>
 #include <burnish/light/environment.h>
 #include <burnish/output/envmap_writer.h>
 #include <burnish/sampling/sequence.h>

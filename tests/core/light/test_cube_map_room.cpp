@@ -3,7 +3,7 @@
 #include "core/data.h"
 
 #include <burnish/input/exr_file.h>
-#include <burnish/light/cube_map_light.h>
+#include <burnish/light/cube_map/cube_map_light.h>
 #include <burnish/scene/load_scene.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/material_shader.h>

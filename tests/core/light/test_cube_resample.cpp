@@ -1,6 +1,6 @@
 #include "light_pictures.h"
 
-#include <burnish/light/cube_resample.h>
+#include <burnish/light/filter/cube_resample.h>
 #include <burnish/light/latlong.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/light/environment.h>
-#include <burnish/light/gaussian_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "core/scenes.h"
 
 #include <burnish/light/environment.h>
-#include <burnish/light/gaussian_stack.h>
-#include <burnish/light/light_curvature.h>
+#include <burnish/light/filter/gaussian_stack.h>
+#include <burnish/light/filter/light_curvature.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "box_room.h"
 #include "depth_edges.h"
 
-#include <burnish/light/mirror_light.h>
+#include <burnish/light/mirror/mirror_light.h>
 
 #include <gtest/gtest.h>
 

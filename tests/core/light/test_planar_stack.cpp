@@ -1,6 +1,6 @@
 // Flat pictures of light: lookups against the Gaussian averages that they stand for.
 #include <burnish/base/error.h>
-#include <burnish/light/planar_stack.h>
+#include <burnish/light/filter/planar_stack.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "painted_room.h"
 
 #include <burnish/base/error.h>
-#include <burnish/light/proxy.h>
+#include <burnish/light/cube_map/proxy.h>
 
 #include <gtest/gtest.h>
 

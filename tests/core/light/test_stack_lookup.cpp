@@ -2,7 +2,7 @@
 #include "core/simd_targets.h"
 
 #include <burnish/base/error.h>
-#include <burnish/light/stack_lookup.h>
+#include <burnish/light/filter/stack_lookup.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "../scene/scene_files.h"
 
 #include <burnish/base/error.h>
-#include <burnish/light/traced_light.h>
+#include <burnish/light/traced/traced_light.h>
 #include <burnish/sampling/sequence.h>
 
 #include <Imath/half.h>

@@ -3,7 +3,7 @@
 #include "shading_cases.h"
 
 #include <burnish/base/parallel.h>
-#include <burnish/light/cube_map_light.h>
+#include <burnish/light/cube_map/cube_map_light.h>
 #include <burnish/output/compare.h>
 #include <burnish/shading/local_prediction.h>
 #include <burnish/shading/local_shading.h>
