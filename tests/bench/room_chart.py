@@ -18,6 +18,7 @@ import room
 
 CHAINS = {"infinite cube": ["infinite"], "two planes": ["planes"], "box": ["box"], "depth impostor": ["depth"], "mesh": ["mesh"],
           "mirror, one step": ["one_step", "box"], "mirror": ["mirror", "box"], "traced": ["traced"]}
+SHOWN = {"floor": "s", "vase": "o", "floor in vase": "^"}
 REFERENCE = {"estimator": "reference", "tolerance": 0.01, "max_samples": 4096}
 
 
@@ -43,8 +44,8 @@ def measured(job, repeats):
 def rows(folder, repeats):
     masks, truth = masks_of(folder)
     runs = [(name, chain, {"density": "dense"}, repeats) for name, chain in CHAINS.items()]
-    runs += [(f"{name}, sparse", CHAINS[name], {"density": "sparse"}, repeats) for name in ("box", "mirror", "traced")]
-    runs += [(f"{name}, reference", CHAINS[name], REFERENCE, 1) for name in ("box", "mirror", "traced")]
+    runs += [(f"{name}, sparse", CHAINS[name], {"density": "sparse"}, repeats) for name in ("box", "mesh", "mirror", "traced")]
+    runs += [(f"{name}, reference", CHAINS[name], REFERENCE, 1) for name in ("mirror", "traced")]
     for name, chain, settings, count in runs:
         overlay, stages = measured(room.job_of(folder, chain) | settings, count)
         yield name, {key: burnish.compare(overlay, truth, mask)["psnr_db"] for key, mask in masks.items()}, stages
@@ -57,12 +58,13 @@ def draw(table, path):
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(8, 5), layout="constrained")
-    for key, marker in (("floor", "s"), ("vase", "o"), ("floor in vase", "^")):
+    for key, marker in SHOWN.items():
         axes.plot([stages["shading"] for _, _, stages in table], [db[key] for _, db, _ in table], marker, label=key, alpha=0.8)
     for name, db, stages in table:
-        axes.annotate(name, (stages["shading"], max(db.values())), fontsize=7, rotation=30, xytext=(2, 3), textcoords="offset points")
-    axes.set(xscale="log", xlabel="shading of the frame, seconds of one core", ylabel="display PSNR against Cycles, dB")
-    axes.grid(alpha=0.3), axes.legend()
+        axes.annotate(name, (stages["shading"], max(db[key] for key in SHOWN)), fontsize=7, rotation=65, xytext=(-2, 5),
+                      textcoords="offset points")
+    axes.set(xscale="log", ylim=(14, 56), xlabel="shading of the frame, seconds of one core", ylabel="display PSNR against Cycles, dB")
+    axes.grid(alpha=0.3), axes.legend(loc="lower right")
     figure.savefig(path, dpi=110)
 
 
