@@ -67,11 +67,6 @@ bool is_of_frame(const RigLight& light) {
     return mirror && (varies(mirror->file) || varies(mirror->camera));
 }
 
-/// An up axis left to burnish is the one of the frame's renderer.
-UpAxis settled(UpAxis up, Renderer renderer) {
-    return up == UpAxis::automatic && renderer == Renderer::cycles ? UpAxis::z : up;
-}
-
 /// Proxies of cube maps, by file: rooms have many maps and one mesh.
 using Meshes = std::map<std::string, std::shared_ptr<const Scene>>;
 
@@ -81,7 +76,8 @@ Meshes load_meshes(const Rig& rig, const LightFrame& frame) {
         if (const auto* map = light.as<CubeMapSettings>(); map && map->proxy.kind == ProxyKind::mesh) {
             std::shared_ptr<const Scene>& mesh = meshes[map->proxy.mesh];
             if (!mesh)
-                mesh = std::make_shared<const Scene>(load_scene(map->proxy.mesh, {settled(map->picture.up, frame.renderer)}));
+                mesh =
+                    std::make_shared<const Scene>(load_scene(map->proxy.mesh, {settled_up(map->picture.up, frame.renderer)}));
         }
     return meshes;
 }
@@ -119,7 +115,7 @@ struct LightMaker {
     }
 
 private:
-    UpAxis up(UpAxis given) const { return settled(given, frame.renderer); }
+    UpAxis up(UpAxis given) const { return settled_up(given, frame.renderer); }
     Color3f gain() const { return settings.tint * settings.scale; }
 
     std::function<void(Image&)> conversion() const {
@@ -178,6 +174,10 @@ void load_all(Rig& rig, const ColorFlow& color, const LightFrame& frame, const P
 }
 
 }  // namespace
+
+UpAxis settled_up(UpAxis up, Renderer renderer) {
+    return up == UpAxis::automatic && renderer == Renderer::cycles ? UpAxis::z : up;
+}
 
 Rig build_rig(const Job& job, const std::vector<AssignRule>& rules, const ColorFlow& color,
               std::shared_ptr<const Environment> environment, const LightFrame& frame, const Progress& progress) {

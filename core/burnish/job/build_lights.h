@@ -18,6 +18,10 @@ struct LightFrame {
     std::optional<int> number;  // of a sequence
 };
 
+/// An up axis left to burnish is the one of the frame's renderer: Blender's world has Z up; the others stay with the default until
+/// their user says otherwise.
+UpAxis settled_up(UpAxis up, Renderer renderer);
+
 /// The lights that `rules` can use, several at a time; not those of files with a frame number. `environment`: instead of the job's
 /// file; null: that one, if there is one. Progress goes from 0 to 1 under "lights".
 /// Throws Error(bad_argument | read_failed | missing_channel | color_space | cancelled).

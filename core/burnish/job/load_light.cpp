@@ -1,14 +1,14 @@
 #include <burnish/base/error.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/look.h>
 
 namespace burnish {
 namespace {
 
-/// Blender's world has Z up; the others stay with the default until their user says otherwise.
 EnvironmentSettings settings_for(const Job& job, Renderer renderer) {
     EnvironmentSettings settings = job.light;
-    if (settings.up == UpAxis::automatic && renderer == Renderer::cycles) settings.up = UpAxis::z;
+    settings.up = settled_up(settings.up, renderer);
     return settings;
 }
 

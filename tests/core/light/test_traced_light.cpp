@@ -61,6 +61,15 @@ double share_of_panel(const LightRay& ray, float half, const Vec3f& centre) {
 
 }  // namespace
 
+TEST(TracedLight, RaysThroughAPaneMeetWhatIsBehindIt) {
+    Object pane{"pane", "", make_box({1, 1, 0.05f}, 0.01f, 1), 2, 2, Color3f(0.5f)};
+    const TracedLight light = light_of({pane, panel(1, {0, 0, -2}, 3, false)});
+    const Vec3f on(0, 0, 0.05f), up(0, 0, 1), down(0, 0, -1);
+    EXPECT_EQ(light.exact({on, up, down, 0, -1}).radiance, Color3f(3.0f));
+    EXPECT_GT(lookup(light, {on, up, down, 0.05f, -1}).radiance.x, 2.9f);
+    EXPECT_EQ(light.exact({on, up, down, 0, 1}).radiance, Color3f(0.0f)) << "the pane's own far side is in the way";
+}
+
 TEST(TracedLight, ExactReadsWhatTheRayMeetsAndCoversNothingElse) {
     const TracedLight light = light_of({panel(1, {0, 0, 2}, 3, true)});
     const ExactLight hit = light.exact({{0, 0, 0}, {0, 0, 1}, {0, 0, 1}});

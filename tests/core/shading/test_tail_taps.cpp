@@ -68,6 +68,11 @@ TEST(TailTaps, AreForSharpLobesWithLongTails) {
     EXPECT_EQ(TailTaps(lobe(ModelId::ggx, 0.02f, 0.02f)).count(), 10);
 }
 
+TEST(TailTaps, FollowNoMoreThanTenFittedOnes) {
+    const LobeTaps taps(lobe(ModelId::ggx, 0.02f, 0.02f), estimator(EstimatorKind::fitted, 16));
+    EXPECT_EQ(taps.table()->tap_count(), 10 + 10);
+}
+
 TEST(TailTaps, KeepTheLobesEnergy) {
     for (const EstimatorKind kind : {EstimatorKind::fitted, EstimatorKind::regular}) {
         const LobeParameters ggx = lobe(ModelId::ggx, 0.02f, 0.02f);
