@@ -17,6 +17,7 @@ constexpr const char* kSharedFields = R"(fields of every lobe
   anisotropy                 in [-1, 1], with m or roughness: mx = m (1 - a), my = m / (1 - a) for a >= 0
   rotation_deg               turns the tangent about the normal, right-hand rule; 0
   r0 | ior | eta k | metal   Fresnel: Schlick's | dielectric | conductor | conductor by name; none of them: F = 1
+  f1 | dip dip_power         with r0, bend Schlick's curve: F - f1 c | F - dip c (1 - c)^dip_power, c = cos of wo to h
   per_pixel                  list of what the frame's layers replace: roughness anisotropy rotation tint weight
 )";
 

@@ -7,12 +7,26 @@
 
 namespace burnish {
 
-enum class FresnelKind { none, schlick, dielectric, conductor };
+enum class FresnelKind { none, schlick, generalised_schlick, lazanyi, dielectric, conductor };
 
 /// F = r0 + (1 - r0) (1 - c)^5, c = wo . wm. Source: Schlick 1994.
 inline Color3f schlick_fresnel(const Color3f& r0, float c) {
     const float m = 1 - c, m2 = m * m, w = m2 * m2 * m;
     return r0 + (Color3f(1) - r0) * w;
+}
+
+/// F = f0 + (1 - f0) (1 - c)^5 - f1 c, not below 0: Schlick's with a slope, for measured materials whose reflectance is no
+/// plateau. Source: Bandwidth, eq. V.5 (Bagher et al. 2012). It is f0 - f1 from above, 1 at the horizon.
+inline Color3f generalised_schlick_fresnel(const Color3f& f0, const Color3f& f1, float c) {
+    const Color3f F = schlick_fresnel(f0, c) - f1 * c;
+    return {std::max(F.x, 0.0f), std::max(F.y, 0.0f), std::max(F.z, 0.0f)};
+}
+
+/// F = r0 + (1 - r0) (1 - c)^5 - dip c (1 - c)^power, not below 0: Schlick's with the dip that metals have before they rise.
+/// Source: Lazanyi & Szirmay-Kalos 2005, "Fresnel term approximations for metals".
+inline Color3f lazanyi_fresnel(const Color3f& r0, const Color3f& dip, float power, float c) {
+    const Color3f F = schlick_fresnel(r0, c) - dip * (c * std::pow(1 - c, power));
+    return {std::max(F.x, 0.0f), std::max(F.y, 0.0f), std::max(F.z, 0.0f)};
 }
 
 /// Exact unpolarised reflectance from outside onto a dielectric of index `eta` > 0, the ratio of the inner to the outer
@@ -41,9 +55,11 @@ inline float conductor_fresnel(float eta, float k, float c) {
 /// `none` is 1 either way: a lobe without Fresnel is as strong as its strength says, on both sides.
 struct Fresnel {
     FresnelKind kind = FresnelKind::none;
-    Color3f eta{1, 1, 1};  // schlick: r0; dielectric: eta.x = index of refraction; conductor: real part of the index
-    Color3f k{0, 0, 0};    // conductor: extinction
+    Color3f eta{1, 1,
+                1};      // schlick, lazanyi: r0; generalised: f0; dielectric: eta.x = index; conductor: real part of the index
+    Color3f k{0, 0, 0};  // conductor: extinction; generalised: f1; lazanyi: dip
     bool complement = false;
+    float power = 5;  // lazanyi
 
     Color3f operator()(float cos_theta) const {
         if (kind == FresnelKind::none) return Color3f(1);
@@ -55,6 +71,8 @@ private:
     Color3f reflectance(float c) const {
         switch (kind) {
             case FresnelKind::schlick: return schlick_fresnel(eta, c);
+            case FresnelKind::generalised_schlick: return generalised_schlick_fresnel(eta, k, c);
+            case FresnelKind::lazanyi: return lazanyi_fresnel(eta, k, power, c);
             case FresnelKind::dielectric: return Color3f(dielectric_fresnel(eta.x, c));
             case FresnelKind::conductor:
                 return {conductor_fresnel(eta.x, k.x, c), conductor_fresnel(eta.y, k.y, c), conductor_fresnel(eta.z, k.z, c)};

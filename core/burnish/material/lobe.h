@@ -1,6 +1,7 @@
 // From a lobe's numbers to its value type: one dispatch per batch, after which everything inlines.
 #pragma once
 
+#include <burnish/material/any_model.h>
 #include <burnish/material/model.h>
 #include <burnish/material/models/beckmann.h>
 #include <burnish/material/models/ggx.h>
@@ -10,7 +11,7 @@ namespace burnish {
 
 /// A transmission lobe through a thin sheet: the model with directions mirrored at the surface plane and Fresnel 1 - F.
 /// Lets kernels treat both sides alike: `side_sign` is the sign of wi.z.
-template <LobeModel M>
+template <LobeKernel M>
 struct Lobe {
     M model;
     float side_sign;
@@ -24,18 +25,20 @@ struct Lobe {
     Lobe with_widths(float mx, float my) const { return {model.with_widths(mx, my), side_sign}; }
 };
 
-/// Calls `visit(Lobe<M>)` with the lobe's own model type.
+/// Calls `visit(Lobe<M>)` with the lobe's own model type, AnyModel for the ones that kernels are not compiled for.
 template <class Visitor>
 decltype(auto) visit_lobe(const LobeParameters& p, Visitor&& visit) {
     const float side_sign = p.side == Side::transmission ? -1.0f : 1.0f;
     switch (p.model) {
+#define BURNISH_ERASED_MODEL(id, type)
 #define BURNISH_MODEL(id, type) \
     case ModelId::id:           \
         return visit(Lobe<type>{type(p), side_sign});
 #include <burnish/material/models/models.def>
 #undef BURNISH_MODEL
+        default: break;
     }
-    return visit(Lobe<Kurt>{Kurt(p), side_sign});
+    return visit(Lobe<AnyModel>{AnyModel(p), side_sign});
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 // "kd_coupled": true leaves to the diffuse part only what the lobes do not return. A material of one lobe may leave "lobes" out and hold the lobe's fields itself. "model" beside "lobes" is the lobes' default.
 #include <burnish/base/error.h>
 #include <burnish/base/json_fields.h>
+#include <burnish/material/any_model.h>
 #include <burnish/material/library.h>
 #include <burnish/material/metals.h>
 #include <burnish/material/microfacet.h>
@@ -23,6 +24,7 @@ using nlohmann::json;
 using Names = std::vector<std::string_view>;
 
 constexpr NumberRange kStrength{0, 1000}, kReflectivity{0, 1}, kWidth{kMinWidth, 1}, kIndex{0, 100};
+constexpr NumberRange kFittedFresnel{-1000, 1000}, kDipPower{1, 20};  // fits of measurements need not be physical
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<std::string_view, 4> kFresnelKeys{"r0", "ior", "eta", "metal"};
 constexpr std::array<std::string_view, 3> kWidthKeys{"m", "mx", "roughness"};
@@ -38,14 +40,24 @@ constexpr PerPixelName kPerPixel[] = {{"roughness", &PerPixel::roughness},
                                       {"weight", &PerPixel::weight}};
 
 Names lobe_keys(const ModelInfo& model) {
-    Names keys{"model",      "ks",           "kt", "tint", "m",   "mx", "my",    "roughness",
-               "anisotropy", "rotation_deg", "r0", "ior",  "eta", "k",  "metal", "per_pixel"};
+    Names keys{"model", "ks", "kt",  "tint",      "m",   "mx",  "my", "roughness", "anisotropy", "rotation_deg",
+               "r0",    "f1", "dip", "dip_power", "ior", "eta", "k",  "metal",     "per_pixel"};
     for (const ModelParameter& parameter : model.parameters) keys.push_back(parameter.name);
     return keys;
 }
 
+/// Schlick's curve and what bends it.
+Fresnel bent_schlick_from_json(const JsonFields& lobe) {
+    lobe.expect_at_most_one(std::array<std::string_view, 2>{"f1", "dip"});
+    const Color3f r0 = lobe.color("r0", kFittedFresnel);
+    if (lobe.has("f1")) return {FresnelKind::generalised_schlick, r0, lobe.color("f1", kFittedFresnel)};
+    return {FresnelKind::lazanyi, r0, lobe.color("dip", kFittedFresnel), false,
+            lobe.number("dip_power", kDipPower, Fresnel{}.power)};
+}
+
 Fresnel fresnel_from_json(const JsonFields& lobe) {
     lobe.expect_at_most_one(kFresnelKeys);
+    if (lobe.has("f1") || lobe.has("dip")) return bent_schlick_from_json(lobe);
     if (lobe.has("r0")) return {FresnelKind::schlick, lobe.color("r0", kReflectivity)};
     if (lobe.has("ior")) return {FresnelKind::dielectric, Color3f(lobe.number("ior", {0.1, 10}))};
     if (lobe.has("metal")) {
@@ -95,6 +107,26 @@ ModelId model_from_json(const JsonFields& fields, ModelId fallback) {
     return model_by_name(fields.name("model", names));
 }
 
+bool names_width(const JsonFields& lobe) {
+    return std::ranges::any_of(kWidthKeys, [&](std::string_view key) { return lobe.has(key); });
+}
+
+/// The model's own parameters, and the width that follows from them where none is given.
+void read_parameters(const JsonFields& fields, LobeParameters& lobe) {
+    const ModelInfo& info = model_info(lobe.model);
+    for (const ModelParameter& parameter : info.parameters) {
+        const NumberRange range{parameter.min, parameter.max};
+        const Color3f value = parameter.per_channel ? fields.color(parameter.name, range, Color3f(parameter.value))
+                                                    : Color3f(fields.number(parameter.name, range, parameter.value));
+        lobe.extra.insert(lobe.extra.end(), {value.x, value.y, value.z});
+        if (!parameter.per_channel) lobe.extra.resize(lobe.extra.size() - 2);
+    }
+    if (!info.anisotropic && (lobe.mx != lobe.my))
+        throw Error(ErrorCode::bad_argument, fields.path("model") + ": " + std::string(info.name) +
+                                                 " is a round lobe; give it one width m, or take another model");
+    if (const float own_width = prepare(lobe); own_width > 0 && !names_width(fields)) lobe.mx = lobe.my = own_width;
+}
+
 LobeParameters lobe_from_json(const JsonFields& fields, ModelId default_model) {
     LobeParameters lobe;
     lobe.model = model_from_json(fields, default_model);
@@ -107,8 +139,7 @@ LobeParameters lobe_from_json(const JsonFields& fields, ModelId default_model) {
     lobe.rotation = static_cast<float>(fields.number("rotation_deg", {-360, 360}, 0) * kDegree);
     lobe.fresnel = fresnel_from_json(fields);
     lobe.fresnel.complement = lobe.side == Side::transmission && lobe.fresnel.kind != FresnelKind::none;
-    for (const ModelParameter& parameter : model_info(lobe.model).parameters)
-        lobe.extra.push_back(fields.number(parameter.name, {parameter.min, parameter.max}, parameter.value));
+    read_parameters(fields, lobe);
     lobe.per_pixel = per_pixel_from_json(fields);
     return lobe;
 }
@@ -117,6 +148,15 @@ void fresnel_to_json(const Fresnel& fresnel, json& lobe) {
     switch (fresnel.kind) {
         case FresnelKind::none: break;
         case FresnelKind::schlick: lobe["r0"] = to_json_color(fresnel.eta); break;
+        case FresnelKind::generalised_schlick:
+            lobe["r0"] = to_json_color(fresnel.eta);
+            lobe["f1"] = to_json_color(fresnel.k);
+            break;
+        case FresnelKind::lazanyi:
+            lobe["r0"] = to_json_color(fresnel.eta);
+            lobe["dip"] = to_json_color(fresnel.k);
+            lobe["dip_power"] = to_json_number(fresnel.power);
+            break;
         case FresnelKind::dielectric: lobe["ior"] = to_json_number(fresnel.eta.x); break;
         case FresnelKind::conductor:
             lobe["eta"] = to_json_color(fresnel.eta);
@@ -134,9 +174,12 @@ json lobe_to_json(const LobeParameters& lobe) {
                 {"my", to_json_number(lobe.my)}};
     if (lobe.rotation != 0) result["rotation_deg"] = to_json_number(static_cast<float>(lobe.rotation / kDegree));
     fresnel_to_json(lobe.fresnel, result);
-    for (size_t i = 0; i < info.parameters.size(); ++i) {
-        const ModelParameter& parameter = info.parameters[i];
-        result[std::string(parameter.name)] = to_json_number(i < lobe.extra.size() ? lobe.extra[i] : parameter.value);
+    const std::vector<float> values = lobe.extra.empty() ? default_parameters(info) : lobe.extra;
+    const float* value = values.data();
+    for (const ModelParameter& parameter : info.parameters) {
+        result[std::string(parameter.name)] =
+            parameter.per_channel ? to_json_color(Color3f(value[0], value[1], value[2])) : to_json_number(*value);
+        value += parameter.per_channel ? 3 : 1;
     }
     for (const PerPixelName& entry : kPerPixel)
         if (lobe.per_pixel.*entry.flag) result["per_pixel"].push_back(entry.name);

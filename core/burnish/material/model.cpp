@@ -1,7 +1,7 @@
 #include <burnish/base/error.h>
 #include <burnish/base/nearest_name.h>
-#include <burnish/material/lobe.h>
 #include <burnish/material/model.h>
+#include <burnish/material/models/all.h>
 
 #include <algorithm>
 
@@ -18,6 +18,13 @@ std::span<const ModelInfo> models() {
 #undef BURNISH_MODEL
     };
     return all;
+}
+
+std::vector<float> default_parameters(const ModelInfo& model) {
+    std::vector<float> values;
+    for (const ModelParameter& parameter : model.parameters)
+        values.insert(values.end(), parameter.per_channel ? 3 : 1, parameter.value);
+    return values;
 }
 
 const ModelInfo& model_info(ModelId id) { return models()[static_cast<size_t>(id)]; }

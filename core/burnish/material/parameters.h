@@ -4,6 +4,7 @@
 #include <burnish/base/types.h>
 #include <burnish/material/fresnel.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,11 @@ struct PerPixel {
     bool roughness = false, anisotropy = false, rotation = false, tint = false, weight = false;
 };
 
+/// What a model makes once from its numbers, or a measurement that it shows. Copies of a lobe share it.
+struct LobeData {
+    virtual ~LobeData() = default;
+};
+
 /// One lobe. Widths are slope widths: m = RMS slope * sqrt(2) for Beckmann and Kurt, alpha for GGX, along t (mx) and b (my).
 struct LobeParameters {
     ModelId model = ModelId::kurt;
@@ -31,7 +37,9 @@ struct LobeParameters {
     float mx = 0.1f, my = 0.1f;  // (0, 1]
     float rotation = 0.0f;       // radians, turns t about n, right-hand rule
     Fresnel fresnel;
-    std::vector<float> extra;  // the model's own parameters, in the order of ModelInfo::parameters
+    std::vector<float>
+        extra;  // the model's own parameters, in the order of ModelInfo::parameters; red, green, blue of a colour
+    std::shared_ptr<const LobeData> data;  // of models that have any, see `prepare` (any_model.h)
     PerPixel per_pixel;
 
     /// Whether it may depend on the direction of the tangent.

@@ -21,7 +21,7 @@ inline LobeParameters make_lobe(ModelId model, float mx, float my, Side side = S
     lobe.model = model;
     lobe.side = side;
     lobe.mx = mx, lobe.my = my;
-    for (const ModelParameter& parameter : model_info(model).parameters) lobe.extra.push_back(parameter.value);
+    lobe.extra = default_parameters(model_info(model));
     return lobe;
 }
 
@@ -39,6 +39,7 @@ inline std::vector<LobeParameters> lobe_grid(std::initializer_list<Side> sides) 
         for (const float m : {0.01f, 0.03f, 0.1f, 0.3f, 1.0f})
             for (const float anisotropy : {0.0f, 0.7f, -0.7f})
                 for (const Side side : sides) {
+                    if (anisotropy != 0 && !models()[model].anisotropic) continue;
                     const Vec2f widths = anisotropic_widths(m, anisotropy);
                     grid.push_back(make_lobe(static_cast<ModelId>(model), widths.x, widths.y, side));
                 }
