@@ -1,4 +1,5 @@
 #include <burnish/fit/diffuse_mode.h>
+#include <burnish/fit/l1_polish.h>
 #include <burnish/fit/lobe_mixture_fit.h>
 #include <burnish/fit/lobe_search.h>
 #include <burnish/fit/table_noise.h>
@@ -11,6 +12,7 @@ namespace {
 
 constexpr size_t kSearched = 4096, kPolished = 16384;  // samples that stand for all while lobes are looked for
 constexpr int kValleys = 3;                            // starts of each new lobe
+constexpr double kRounding = 1e-5;                     // errors below this share of the light are those of floats
 
 class Growth {
 public:
@@ -94,6 +96,14 @@ double effective_count(const TransferSamples& samples) {
     return squares > 0 ? 1 / squares : 0;
 }
 
+/// Mean p, which errors are shares of.
+double light(const TransferSamples& samples) {
+    const std::vector<float> p = grey(samples.p);
+    double sum = 0;
+    for (size_t j = 0; j < p.size(); ++j) sum += static_cast<double>(samples.weight[j]) * p[j];
+    return sum;
+}
+
 bool pays(const LobeMixture& fewer, const LobeMixture& more, double count) {
     const int added = more.parameters() - fewer.parameters();
     const double of_noise = 0.5 * std::log(count) / count;  // Schwarz' rule for errors of Laplace's distribution
@@ -115,7 +125,11 @@ SideFit fit_side(const TransferSamples& samples, Side side, ModelId model, bool 
     const Growth growth(samples, side, model, round, settings, progress);
     SideFit fit;
     fit.by_lobes.push_back(growth.without_lobes());
-    for (int k = 1; k <= settings.max_lobes; ++k) fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back()));
+    const double enough = kRounding * light(samples);
+    for (int k = 1; k <= settings.max_lobes; ++k) {
+        if (fit.by_lobes.back().error <= enough && !settings.fixed_lobes) break;
+        fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back()));
+    }
     fit.chosen = settings.fixed_lobes ? fit.by_lobes.size() - 1 : needed_lobes(fit.by_lobes, effective_count(samples));
     fit.noise = noise_level(samples, mixture_transfer(fit.by_lobes.back(), samples));
     return fit;

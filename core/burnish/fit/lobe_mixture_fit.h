@@ -2,7 +2,8 @@
 // all polished together, until another one does not pay.
 #pragma once
 
-#include <burnish/fit/l1_polish.h>
+#include <burnish/base/progress.h>
+#include <burnish/fit/lobe_mixture.h>
 
 namespace burnish {
 
