@@ -4,4 +4,5 @@
 #include <burnish/material/models/beckmann.h>
 #include <burnish/material/models/ggx.h>
 #include <burnish/material/models/kurt.h>
+#include <burnish/material/models/sgd.h>
 #include <burnish/material/models/ward.h>
