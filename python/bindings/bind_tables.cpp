@@ -2,6 +2,7 @@
 #include "bind.h"
 #include "json_objects.h"
 
+#include <burnish/base/json_fields.h>
 #include <burnish/input/roles.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
@@ -44,9 +45,14 @@ py::object models_table() {
     for (const ModelInfo& model : models()) {
         json parameters = json::object();
         for (const ModelParameter& p : model.parameters)
-            parameters[std::string(p.name)] = {{"default", p.value}, {"min", p.min}, {"max", p.max}, {"help", p.help}};
-        table[std::string(model.name)] = {
-            {"summary", model.summary}, {"source", model.source}, {"reciprocal", model.reciprocal}, {"parameters", parameters}};
+            parameters[std::string(p.name)] = {{"default", to_json_number(p.value)},
+                                               {"min", to_json_number(p.min)},
+                                               {"max", to_json_number(p.max)},
+                                               {"per_channel", p.per_channel},
+                                               {"help", p.help}};
+        table[std::string(model.name)] = {{"summary", model.summary},       {"source", model.source},
+                                          {"reciprocal", model.reciprocal}, {"anisotropic", model.anisotropic},
+                                          {"own_width", model.own_width},   {"parameters", parameters}};
     }
     return from_json(table);
 }

@@ -209,7 +209,8 @@ def models() -> dict[str, _Any]:
     Returns
     -------
     dict
-        Model name -> {"summary", "source", "reciprocal", "parameters": name -> {"default", "min", "max", "help"}}.
+        Model name -> {"summary", "source", "reciprocal", "anisotropic", "own_width", "parameters": name -> {"default", "min", "max",
+        "per_channel", "help"}}. own_width: its width follows from its parameters, and mx, my stretch it.
 
     Raises
     ------

@@ -121,9 +121,6 @@ void read_parameters(const JsonFields& fields, LobeParameters& lobe) {
         lobe.extra.insert(lobe.extra.end(), {value.x, value.y, value.z});
         if (!parameter.per_channel) lobe.extra.resize(lobe.extra.size() - 2);
     }
-    if (!info.anisotropic && (lobe.mx != lobe.my))
-        throw Error(ErrorCode::bad_argument, fields.path("model") + ": " + std::string(info.name) +
-                                                 " is a round lobe; give it one width m, or take another model");
     if (const float own_width = prepare(lobe); own_width > 0 && !names_width(fields)) lobe.mx = lobe.my = own_width;
 }
 
@@ -141,6 +138,9 @@ LobeParameters lobe_from_json(const JsonFields& fields, ModelId default_model) {
     lobe.fresnel.complement = lobe.side == Side::transmission && lobe.fresnel.kind != FresnelKind::none;
     read_parameters(fields, lobe);
     lobe.per_pixel = per_pixel_from_json(fields);
+    if (const ModelInfo& info = model_info(lobe.model); !info.anisotropic && lobe.is_anisotropic())
+        throw Error(ErrorCode::bad_argument, fields.path("model") + ": " + std::string(info.name) +
+                                                 " is a round lobe; give it one width m, or take another model");
     return lobe;
 }
 
