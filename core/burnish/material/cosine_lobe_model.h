@@ -1,22 +1,24 @@
 // What models share that are drawn as a power of the cosine to an axis: all but the equation and the axis.
 //
-// A model states `shape(wo, wi)`, its f without Fresnel, `axis(wo)`, the unit vector to draw about, and `exponent(m)`. D and border
-// are those of its draws for a view from above (cosine_lobe.h).
+// A model states `shape(wo, wi)`, its f without Fresnel, `axis(wo)`, the unit vector to draw about, `exponent(m)`, and
+// `normals_width(m)`: D and border are those of Blinn's normals of that width, the half vectors that its lobe is nearest to from above.
+// Towards the horizon the lobe is rounder than that, and as half vectors wider across the view by 1 / cos(theta_o).
 #pragma once
 
 #include <burnish/material/cosine_lobe.h>
 #include <burnish/material/model.h>
+#include <burnish/material/phong_normals.h>
 
 namespace burnish {
 
 template <class Model>
 class CosineLobeModel {
 public:
-    explicit CosineLobeModel(const LobeParameters& p) : m_fresnel(p.fresnel) { set_widths(p.mx, p.my); }
+    explicit CosineLobeModel(const LobeParameters& p) : CosineLobeModel(round_width(p.mx, p.my), p.fresnel) {}
 
     Model with_widths(float mx, float my) const {
         Model other = model();
-        other.set_widths(mx, my);
+        static_cast<CosineLobeModel&>(other) = CosineLobeModel(round_width(mx, my), m_fresnel);
         return other;
     }
 
@@ -30,21 +32,23 @@ public:
     }
 
     Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return m_lobe.sample(model().axis(wo), u); }
-    float D(const Vec3f& wm) const { return m_lobe.D(wm); }
-    float border(float xi) const { return m_lobe.border_slope(xi) / m_width; }
+    float D(const Vec3f& wm) const { return m_normals.D(wm); }
+    float border(float xi) const { return m_normals.border(xi) * (Model::normals_width(m_width) / m_width); }
 
 protected:
-    CosineLobe m_lobe;
     float m_width;
+    CosineLobe m_lobe;
 
 private:
+    CosineLobeModel(float width, const Fresnel& fresnel)
+        : m_width(width),
+          m_lobe{Model::exponent(width)},
+          m_normals(Model::normals_width(width), Model::normals_width(width)),
+          m_fresnel(fresnel) {}
+
     const Model& model() const { return static_cast<const Model&>(*this); }
 
-    void set_widths(float mx, float my) {
-        m_width = round_width(mx, my);
-        m_lobe.exponent = Model::exponent(m_width);
-    }
-
+    PhongNormals m_normals;
     Fresnel m_fresnel;
 };
 

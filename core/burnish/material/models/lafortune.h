@@ -5,7 +5,7 @@
 // Source      Lafortune et al. 1997, "Non-linear approximation of reflectance functions", eq. 4; scaled as the fits of Ngan et al. 2005.
 // Parameters  cxy = -1, cz = 1 is `lewis`; only their ratio matters. |cxy| > cz brightens and lowers the lobe towards the horizon,
 //             cxy > 0 sends it back. m: the slope width of the equally wide Beckmann lobe seen from above; round.
-// Traps       The axis of n = 1000 and cxy = -1.01 cz gains e^10 from above to the horizon. D and border are of the lobe about the
+// Traps       The axis of n = 1000 and cxy = -1.01 cz gains e^10 from above to the horizon. D and border are of a lobe about the
 //             mirror direction: lobes far off it are for estimators that do not lay their lookups out by half vectors.
 #pragma once
 
@@ -32,6 +32,7 @@ public:
     }
 
     static float exponent(float m) { return mirror_exponent(m); }
+    static float normals_width(float m) { return m; }
 
     Vec3f axis(const Vec3f& wo) const {
         const Vec3f a(m_cxy * wo.x, m_cxy * wo.y, m_cz * wo.z);

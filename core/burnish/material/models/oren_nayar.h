@@ -6,7 +6,7 @@
 // Source      Oren & Nayar 1994, "Generalization of Lambert's reflectance model", eq. 30 (the qualitative model, without
 //             interreflection).
 // Parameters  m, slope width of the facets as Beckmann's; 0 is Lambert's law. tint: the facets' reflectivity. Round.
-// Traps       Its width is not its roughness: D and border are of the cosine lobe it is drawn from, as wide for every m.
+// Traps       It is as wide for every m: D and border are those of normals all over the hemisphere, D = 1 / pi.
 #pragma once
 
 #include <burnish/material/cosine_lobe_model.h>
@@ -23,6 +23,7 @@ public:
     using CosineLobeModel::CosineLobeModel;
 
     static float exponent(float) { return 1; }
+    static float normals_width(float) { return 1; }
     static Vec3f axis(const Vec3f&) { return {0, 0, 1}; }
 
     float shape(const Vec3f& wo, const Vec3f& wi) const {

@@ -22,6 +22,7 @@ public:
     }
 
     static float exponent(float m) { return mirror_exponent(m); }
+    static float normals_width(float m) { return m; }
     static Vec3f axis(const Vec3f& wo) { return mirror_direction(wo); }
     float shape(const Vec3f& wo, const Vec3f& wi) const { return m_lobe.pdf(axis(wo), wi) / wi.z; }
 };
