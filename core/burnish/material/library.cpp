@@ -2,6 +2,8 @@
 #include <burnish/base/json_fields.h>
 #include <burnish/base/json_text.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured/read_measured.h>
+#include <burnish/material/measured/table_files.h>
 #include <burnish/presets_json.h>
 
 #include <nlohmann/json.hpp>
@@ -34,11 +36,13 @@ Material find_material(const std::string& name_or_file) {
     if (preset != presets().end()) return *preset;
     const std::filesystem::path file(name_or_file);
     std::error_code absent;
+    if (is_measured_name(name_or_file)) return table_material(read_measured(name_or_file), file.stem().string());
     if (file.extension() == ".json" || std::filesystem::is_regular_file(file, absent))
-        return material_from_json(read_json(name_or_file, "material"), file.stem().string(), name_or_file);
+        return material_from_json(with_tables_in(read_json(name_or_file, "material"), file.parent_path()), file.stem().string(),
+                                  name_or_file);
     std::vector<std::string_view> known;
     for (const Material& material : presets()) known.push_back(material.name);
-    known.push_back("a path to a .json file");
+    known.push_back("a path to a .json file or a measurement");
     fail_unknown("material", "name", name_or_file, known);
 }
 
