@@ -1,7 +1,8 @@
-// burnish models: the reflectance models with their parameters, and the presets.
+// burnish models: the reflectance models with their parameters, the presets and the library of measured materials.
 #include "command.h"
 
 #include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
 
 #include <nlohmann/json.hpp>
@@ -29,7 +30,23 @@ void print_json() {
     json list = {{"models", json::array()}, {"presets", json::object()}};
     for (const ModelInfo& model : models()) list["models"].push_back(as_json(model));
     for (const Material& preset : presets()) list["presets"][preset.name] = material_to_json(preset);
+    for (const std::string& name : library_names()) list["library"][name] = library_json(name);
     std::printf("%s\n", list.dump(2).c_str());
+}
+
+/// Names without their common prefix, filled to lines.
+void print_library() {
+    constexpr size_t kLine = 110;
+    const std::string prefix = "merl:";
+    std::string line;
+    std::printf("library, %zu measured materials (MERL) as sgd lobes, used as %sNAME:\n", library_names().size(),
+                prefix.c_str());
+    for (const std::string& name : library_names()) {
+        const std::string word = " " + name.substr(prefix.size());
+        if (line.size() + word.size() > kLine) std::printf("%s\n", line.c_str()), line.clear();
+        line += word;
+    }
+    std::printf("%s\n", line.c_str());
 }
 
 void print_text() {
@@ -42,13 +59,15 @@ void print_text() {
     }
     std::printf("\npresets:");
     for (const Material& preset : presets()) std::printf(" %s", preset.name.c_str());
-    std::printf("\n");
+    std::printf("\n\n");
+    print_library();
 }
 
 }  // namespace
 
 Run add_models(CLI::App& app) {
-    auto* command = app.add_subcommand("models", "Lists reflectance models, their parameters and the material presets");
+    auto* command =
+        app.add_subcommand("models", "Lists reflectance models, their parameters, material presets and the measured materials");
     auto machine = std::make_shared<bool>(false);
     command->add_flag("--json", *machine, "print as JSON");
     return [machine] {
