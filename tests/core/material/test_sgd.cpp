@@ -1,6 +1,10 @@
 // Shifted gamma slopes and the sgd lobe against independent forms: Boost's gamma functions, brute force, the published rows.
+#include <burnish/base/error.h>
 #include <burnish/material/albedo.h>
 #include <burnish/material/any_model.h>
+#include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
+#include <burnish/material/sgd/sgd_data.h>
 #include <core/material/lobe_cases.h>
 #include <core/material/sgd_rows.h>
 
@@ -150,6 +154,35 @@ TEST(Sgd, EvaluatesThePublishedFitsAsTheirAuthorsDo) {
             }
         }
     }
+}
+
+TEST(Sgd, LibraryHoldsThePublishedNumbers) {
+    EXPECT_EQ(library_names().size(), 100u);
+    for (const SgdRow& row : sgd_rows(kPublished)) {
+        const Material material = find_material("merl:" + row.material);
+        const LobeParameters &lobe = material.lobes.at(0), expected = sgd_lobe(row, false);
+        EXPECT_TRUE(std::equal(lobe.extra.begin(), lobe.extra.begin() + 9, expected.extra.begin())) << row.material;
+        EXPECT_EQ(lobe.tint, expected.tint) << row.material;
+        EXPECT_EQ(lobe.fresnel.kind, expected.fresnel.kind);
+        EXPECT_EQ(lobe.fresnel.eta, expected.fresnel.eta);
+        EXPECT_EQ(lobe.fresnel.k, expected.fresnel.k);
+        EXPECT_EQ(lobe.mx, AnyModel(lobe).own_width());
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(material.kd[k], static_cast<float>(row.at("rhoD", k))) << row.material;
+    }
+}
+
+TEST(Sgd, MistypedLibraryNamesGetTheNearestOnes) {
+    const auto complaint = [](const char* name) {
+        try {
+            find_material(name);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("no complaint");
+    };
+    EXPECT_NE(complaint("merl:bras").find("did you mean \"merl:brass\"?"), std::string::npos) << complaint("merl:bras");
+    EXPECT_NE(complaint("brass").find("did you mean \"merl:brass\"?"), std::string::npos) << complaint("brass");
+    EXPECT_NE(complaint("merl:phenolic").find("merl:red-phenolic"), std::string::npos) << complaint("merl:phenolic");
 }
 
 TEST(Sgd, SamplesRealMaterialsAsItsPdfSays) {
