@@ -1,9 +1,10 @@
-// burnish models: the reflectance models with their parameters, and the presets.
+// burnish models: the reflectance models with their parameters, the presets and the library of measured materials.
 #include "command.h"
 
 #include <burnish/base/json_fields.h>
 #include <burnish/material/describe.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
 
 #include <nlohmann/json.hpp>
@@ -38,13 +39,15 @@ void print_json() {
     json list = {{"models", json::array()}, {"presets", json::object()}};
     for (const ModelInfo& model : models()) list["models"].push_back(as_json(model));
     for (const Material& preset : presets()) list["presets"][preset.name] = material_to_json(preset);
+    for (const std::string& name : library_names()) list["library"][name] = library_json(name);
     std::printf("%s\n", list.dump(2).c_str());
 }
 
 }  // namespace
 
 Run add_models(CLI::App& app) {
-    auto* command = app.add_subcommand("models", "Lists reflectance models, their parameters and the material presets");
+    auto* command =
+        app.add_subcommand("models", "Lists reflectance models, their parameters, material presets and the measured materials");
     auto machine = std::make_shared<bool>(false);
     command->add_flag("--json", *machine, "print as JSON");
     return [machine] {

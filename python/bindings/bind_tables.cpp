@@ -7,6 +7,7 @@
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
 
 #include <cmath>
@@ -63,6 +64,12 @@ py::object presets_table() {
     return from_json(table);
 }
 
+py::object library_table() {
+    json table = json::object();
+    for (const std::string& name : library_names()) table[name] = library_json(name);
+    return from_json(table);
+}
+
 }  // namespace
 
 void bind_tables(py::module_& module) {
@@ -70,6 +77,7 @@ void bind_tables(py::module_& module) {
     module.def("roles", roles_table);
     module.def("models", models_table);
     module.def("presets", presets_table);
+    module.def("library", library_table);
     module.def("shot_schema", [] { return from_json(shot_schema()); });
 }
 

@@ -52,6 +52,7 @@ __all__ = [
     "compare",
     "composite",
     "info",
+    "library",
     "local_bandwidth",
     "models",
     "presets",
@@ -236,6 +237,22 @@ def presets() -> dict[str, _Any]:
         Only when there is no memory for the answer.
     """
     return _core.presets()
+
+
+def library() -> dict[str, _Any]:
+    """The published fits of measured materials, each usable by its name wherever a material is.
+
+    Returns
+    -------
+    dict
+        Name, such as "merl:brass" -> material, as the shot file spells it.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.library()
 
 
 def shot_schema() -> dict[str, _Any]:

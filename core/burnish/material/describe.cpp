@@ -1,5 +1,6 @@
 #include <burnish/material/describe.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
 
 #include <algorithm>
@@ -57,6 +58,21 @@ void describe(const Material& preset, size_t name_width, std::ostream& text) {
     text << "\n";
 }
 
+/// Names without their common prefix, filled to lines.
+void describe_library(std::ostream& text) {
+    constexpr size_t kLine = 110;
+    const std::string prefix = "merl:";
+    text << "\nlibrary: " << library_names().size() << " measured materials (MERL) as sgd lobes, used as " << prefix
+         << "NAME\n";
+    std::string line = " ";
+    for (const std::string& name : library_names()) {
+        const std::string word = " " + name.substr(prefix.size());
+        if (line.size() + word.size() > kLine) text << line << "\n", line = " ";
+        line += word;
+    }
+    text << line << "\n";
+}
+
 }  // namespace
 
 std::string describe_models() {
@@ -65,6 +81,7 @@ std::string describe_models() {
     for (const ModelInfo& model : models()) describe(model, longest_name(models()), text);
     text << "\n" << kSharedFields << "\npresets (model, slope widths)\n";
     for (const Material& preset : presets()) describe(preset, longest_name(presets()), text);
+    describe_library(text);
     return text.str();
 }
 
