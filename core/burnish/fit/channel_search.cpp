@@ -1,0 +1,161 @@
+#include <burnish/fit/channel_search.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+namespace {
+
+constexpr size_t kStarts = 3;  // of a scan that are followed to the bottom
+
+/// All combinations of the scan's values.
+std::vector<std::vector<double>> scan_shapes(const ShapeFamily& family, std::span<const SearchRange> ranges) {
+    std::vector<std::vector<double>> shapes{{}};
+    for (size_t i = 0; i < ranges.size(); ++i) {
+        const int count = ranges[i].is_fixed() ? 1 : family.parameters[i].scan;
+        std::vector<std::vector<double>> longer;
+        for (const auto& shape : shapes)
+            for (int k = 0; k < count; ++k) {
+                longer.push_back(shape);
+                longer.back().push_back(ranges[i].is_fixed() ? ranges[i].min : ranges[i].at((k + 0.5) / count));
+            }
+        shapes = std::move(longer);
+    }
+    return shapes;
+}
+
+SearchRange range_of(const ShapeParameter& parameter) { return {parameter.min, parameter.max, parameter.logarithmic}; }
+
+/// A shape of sgd with the numbers of the fitted G1 that come nearest to Smith's.
+std::vector<double> with_smith_masking(const std::vector<double>& shape) {
+    constexpr int kAngles = 60;
+    const ShapeFamily &smith = *shape_family("sgd"), &free = sgd_with_free_masking();
+    std::vector<double> theta;
+    for (int k = 0; k < kAngles; ++k) theta.push_back((k + 0.5) * std::numbers::pi / 2 / kAngles);
+    const std::vector<double> wanted = smith.G1(shape, theta);
+    std::vector<double> start = shape;
+    std::vector<SearchRange> ranges;
+    for (const double number : shape) ranges.push_back({number, number});
+    for (size_t i = shape.size(); i < free.parameters.size(); ++i) ranges.push_back(range_of(free.parameters[i]));
+    start.insert(start.end(), {2, 1.4, 10});
+    return least_squares(ranges, start, [&](std::span<const double> numbers, std::vector<double>& residuals) {
+        residuals = free.G1(numbers, theta);
+        for (size_t k = 0; k < wanted.size(); ++k) residuals[k] -= wanted[k];
+    });
+}
+
+}  // namespace
+
+FitGrids::FitGrids(const BrdfGrid& grid)
+    : all(grid),
+      cells(grid.subset([](const BrdfGrid::Cell& c) { return c.d % 5 == 2 && c.p % 3 == 1; })),
+      slice_h(grid.subset([](const BrdfGrid::Cell& c) { return c.d == 0; })),
+      slice_d(grid.subset([](const BrdfGrid::Cell& c) { return c.h == 0; })) {}
+
+ChannelSearch::ChannelSearch(const FitGrids& grids, int channel, const ShapeFamily& family, const LobeBounds& bounds)
+    : m_family(family),
+      m_bounds(bounds),
+      m_all(grids.all, channel, Weighing::error, FresnelTerms::bent),
+      m_cells(grids.cells, channel, Weighing::error, FresnelTerms::bent),
+      m_slice_h(grids.slice_h, channel, Weighing::ratio, FresnelTerms::constant),
+      m_slice_d(grids.slice_d, channel, Weighing::ratio, FresnelTerms::bent) {}
+
+ChannelFit ChannelSearch::two_slices() const {
+    ChannelFit best;
+    for (const Shapes& start : best_starts(m_slice_h, {})) {
+        const ChannelFit fit = descend(m_slice_h, start);
+        if (best.lobes.empty() || fit.cost < best.cost) best = fit;
+    }
+    LinearBounds bounds = m_bounds.linear;
+    bounds.kd = {best.kd, best.kd};
+    return m_slice_d.fit(m_family, Shapes{best.lobes[0].shape}, bounds);
+}
+
+ChannelFit ChannelSearch::polished(const ChannelFit& start) const {
+    std::vector<Shapes> starts = best_starts(m_cells, {});
+    Shapes given;
+    for (const LobeFit& lobe : start.lobes) given.push_back(lobe.shape);
+    starts.push_back(given);
+    ChannelFit best = start;
+    best.cost = m_cells.cost(m_family, start);
+    for (const Shapes& shapes : starts) {
+        const ChannelFit fit = descend(m_cells, shapes);
+        if (fit.cost < best.cost) best = fit;
+    }
+    return best;
+}
+
+ChannelFit ChannelSearch::with_another_lobe(const ChannelFit& fit) const {
+    Shapes fixed;
+    for (const LobeFit& lobe : fit.lobes) fixed.push_back(lobe.shape);
+    ChannelFit best;
+    for (const Shapes& start : best_starts(m_cells, fixed)) {
+        const ChannelFit more = descend(m_cells, start);
+        if (best.lobes.empty() || more.cost < best.cost) best = more;
+    }
+    return best;
+}
+
+ChannelFit ChannelSearch::with_free_masking(const ChannelFit& start) const {
+    const ShapeFamily& family = sgd_with_free_masking();
+    std::vector<SearchRange> ranges = m_bounds.shape;
+    for (size_t i = ranges.size(); i < family.parameters.size(); ++i) ranges.push_back(range_of(family.parameters[i]));
+    std::vector<Shapes> starts = best_starts(m_cells, {});
+    starts.push_back({start.lobes[0].shape});
+    ChannelFit best;
+    for (const Shapes& shapes : starts) {
+        const ChannelFit fit = descend(m_cells, family, ranges, {with_smith_masking(shapes[0])});
+        if (best.lobes.empty() || fit.cost < best.cost) best = fit;
+    }
+    return best;
+}
+
+double ChannelSearch::error(const ShapeFamily& family, const ChannelFit& fit) const {
+    return std::sqrt(m_all.cost(family, fit));
+}
+
+double ChannelSearch::error(const ChannelFit& fit) const { return error(m_family, fit); }
+
+ChannelFit ChannelSearch::descend(const ChannelProblem& problem, const Shapes& start) const {
+    return descend(problem, m_family, m_bounds.shape, start);
+}
+
+ChannelFit ChannelSearch::descend(const ChannelProblem& problem, const ShapeFamily& family, std::span<const SearchRange> each,
+                                  const Shapes& start) const {
+    std::vector<SearchRange> ranges;
+    std::vector<double> numbers;
+    for (const auto& shape : start) {
+        ranges.insert(ranges.end(), each.begin(), each.end());
+        numbers.insert(numbers.end(), shape.begin(), shape.end());
+    }
+    const auto shapes_of = [&](std::span<const double> flat) {
+        Shapes shapes;
+        for (size_t i = 0; i < flat.size(); i += each.size()) {
+            const auto shape = flat.subspan(i, each.size());
+            shapes.emplace_back(shape.begin(), shape.end());
+        }
+        return shapes;
+    };
+    const std::vector<double> found =
+        least_squares(ranges, numbers, [&](std::span<const double> at, std::vector<double>& residuals) {
+            problem.fit(family, shapes_of(at), m_bounds.linear, &residuals);
+        });
+    return problem.fit(family, shapes_of(found), m_bounds.linear);
+}
+
+std::vector<ChannelSearch::Shapes> ChannelSearch::best_starts(const ChannelProblem& problem, const Shapes& fixed) const {
+    std::vector<std::pair<double, Shapes>> tried;
+    for (const auto& shape : scan_shapes(m_family, m_bounds.shape)) {
+        Shapes shapes = fixed;
+        shapes.push_back(shape);
+        const double cost = problem.fit(m_family, shapes, m_bounds.linear).cost;
+        tried.emplace_back(cost, std::move(shapes));
+    }
+    std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Shapes> best;
+    for (size_t i = 0; i < std::min(kStarts, tried.size()); ++i) best.push_back(tried[i].second);
+    return best;
+}
+
+}  // namespace burnish
