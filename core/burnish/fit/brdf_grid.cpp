@@ -22,14 +22,14 @@ BrdfGrid::Values values_of(const MeasuredBrdf& measured) {
     if (const auto* table = dynamic_cast<const MerlTable*>(&measured)) {
         return [table](const GridAngles& a) {
             const auto cell = [](double share, int count) { return std::min(static_cast<int>(share * count), count - 1); };
-            return to_channels(table->at({cell(std::sqrt(a.theta_h / kPi2), MerlTable::kThetaH),
-                                          cell(a.theta_d / kPi2, MerlTable::kThetaD),
-                                          cell(a.phi_d / std::numbers::pi, MerlTable::kPhiD)}));
+            return to_channels(
+                table->at({cell(std::sqrt(a.theta_h / kPi2), MerlTable::kThetaH), cell(a.theta_d / kPi2, MerlTable::kThetaD),
+                           cell(a.phi_d / std::numbers::pi, MerlTable::kPhiD)}));
         };
     }
     return [&measured](const GridAngles& a) {
-        const auto [wo, wi] = directions(HalfDifference{static_cast<float>(a.theta_h), 0, static_cast<float>(a.theta_d),
-                                                        static_cast<float>(a.phi_d)});
+        const auto [wo, wi] = directions(
+            HalfDifference{static_cast<float>(a.theta_h), 0, static_cast<float>(a.theta_d), static_cast<float>(a.phi_d)});
         return to_channels(measured.eval(wo, wi));
     };
 }

@@ -54,9 +54,9 @@ private:
 };
 
 /// Strength, f0 and f1 in their ranges.
-void add_lobe(BoundRows& rows, int lobe, const LinearBounds& bounds) {
-    rows.add(lobe, 1, 0, 1, bounds.ks.min);
-    rows.add(lobe, -1, 0, -1, -bounds.ks.max);
+void add_lobe(BoundRows& rows, int lobe, const LinearBounds& bounds, double unit) {
+    rows.add(lobe, 1, 0, 1, bounds.ks.min * unit);
+    rows.add(lobe, -1, 0, -1, -bounds.ks.max * unit);
     rows.add(lobe, 1 - bounds.f0.min, 0, -bounds.f0.min, 0);
     rows.add(lobe, bounds.f0.max - 1, 0, bounds.f0.max, 0);
     rows.add(lobe, -bounds.f1.min, -1, -bounds.f1.min, 0);
@@ -88,8 +88,10 @@ ChannelFit ChannelProblem::fit(const ShapeFamily& family, std::span<const std::v
     const Eigen::MatrixXd all = columns(family, shapes);
     BoundRows rows(lobes, terms());
     rows.add_kd(1, bounds.kd.min), rows.add_kd(-1, -bounds.kd.max);
-    for (int lobe = 0; lobe < lobes; ++lobe)
-        m_terms == FresnelTerms::bent ? add_lobe(rows, lobe, bounds) : rows.add(lobe, 1, 0, 0, 0);
+    for (int lobe = 0; lobe < lobes; ++lobe) {
+        const double unit = bounds.ks_unit ? bounds.ks_unit(shapes[static_cast<size_t>(lobe)]) : 1;
+        m_terms == FresnelTerms::bent ? add_lobe(rows, lobe, bounds, unit) : rows.add(lobe, 1, 0, 0, 0);
+    }
     // Reflectance is not below 0: where it would be, the lobe is taken out and the rest solved for again, until that settles.
     Eigen::MatrixXd A = all;
     Eigen::VectorXd x, left;

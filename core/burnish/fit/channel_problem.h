@@ -14,13 +14,14 @@
 
 namespace burnish {
 
-/// Ranges of the linear numbers; ks in units of S.
+/// Ranges of the linear numbers.
 struct LinearBounds {
     NumberRange kd{0, 1}, ks{0, 1e30}, f0{-20, 20}, f1{-20, 20};
+    std::function<double(Shape shape)> ks_unit;  // what a + e is for ks = 1; none: 1
 };
 
 struct LobeFit {
-    std::vector<double> shape;    // in the order of ShapeFamily::parameters
+    std::vector<double> shape;  // in the order of ShapeFamily::parameters
     double a = 0, b = 0, e = 0;
 
     double ks() const { return a + e; }
@@ -58,8 +59,8 @@ private:
 
     ShapeGrid m_shapes;
     FresnelTerms m_terms;
-    std::vector<double> m_weight, m_target;            // square root of the weight, f times it
-    std::vector<double> m_cosine, m_schlick;           // cos(theta_d), (1 - cos(theta_d))^5
+    std::vector<double> m_weight, m_target;   // square root of the weight, f times it
+    std::vector<double> m_cosine, m_schlick;  // cos(theta_d), (1 - cos(theta_d))^5
 };
 
 }  // namespace burnish

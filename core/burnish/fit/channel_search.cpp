@@ -1,5 +1,7 @@
 #include <burnish/fit/channel_search.h>
 
+#include <burnish/material/sgd/fitted_shadowing.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,42 +9,47 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kStarts = 3;  // of a scan that are followed to the bottom
+constexpr size_t kStarts = 4;  // valleys of a scan that are followed to the bottom
 
-/// All combinations of the scan's values.
-std::vector<std::vector<double>> scan_shapes(const ShapeFamily& family, std::span<const SearchRange> ranges) {
+/// All combinations of the scan's values, the last number fastest.
+struct Scan {
     std::vector<std::vector<double>> shapes{{}};
-    for (size_t i = 0; i < ranges.size(); ++i) {
-        const int count = ranges[i].is_fixed() ? 1 : family.parameters[i].scan;
-        std::vector<std::vector<double>> longer;
-        for (const auto& shape : shapes)
-            for (int k = 0; k < count; ++k) {
-                longer.push_back(shape);
-                longer.back().push_back(ranges[i].is_fixed() ? ranges[i].min : ranges[i].at((k + 0.5) / count));
-            }
-        shapes = std::move(longer);
-    }
-    return shapes;
-}
+    std::vector<size_t> counts;
 
-SearchRange range_of(const ShapeParameter& parameter) { return {parameter.min, parameter.max, parameter.logarithmic}; }
+    Scan(const ShapeFamily& family, std::span<const SearchRange> ranges) {
+        for (size_t i = 0; i < ranges.size(); ++i) {
+            const int count = ranges[i].is_fixed() ? 1 : family.parameters[i].scan;
+            counts.push_back(static_cast<size_t>(count));
+            std::vector<std::vector<double>> longer;
+            for (const auto& shape : shapes)
+                for (int k = 0; k < count; ++k) {
+                    longer.push_back(shape);
+                    longer.back().push_back(ranges[i].is_fixed() ? ranges[i].min : ranges[i].at((k + 0.5) / count));
+                }
+            shapes = std::move(longer);
+        }
+    }
+
+    /// Whether no neighbour along one of the numbers costs less: shapes lie in long valleys, across which diagonals lead.
+    bool is_valley(std::span<const double> costs, size_t at) const {
+        size_t stride = 1;
+        for (size_t i = counts.size(); i-- > 0; stride *= counts[i]) {
+            const size_t k = at / stride % counts[i];
+            if ((k > 0 && costs[at - stride] < costs[at]) || (k + 1 < counts[i] && costs[at + stride] < costs[at]))
+                return false;
+        }
+        return true;
+    }
+};
+
+SearchRange range_of(const FamilyNumber& parameter) { return {parameter.min, parameter.max, parameter.logarithmic}; }
 
 /// A shape of sgd with the numbers of the fitted G1 that come nearest to Smith's.
-std::vector<double> with_smith_masking(const std::vector<double>& shape) {
-    constexpr int kAngles = 60;
-    const ShapeFamily &smith = *shape_family("sgd"), &free = sgd_with_free_masking();
-    std::vector<double> theta;
-    for (int k = 0; k < kAngles; ++k) theta.push_back((k + 0.5) * std::numbers::pi / 2 / kAngles);
-    const std::vector<double> wanted = smith.G1(shape, theta);
-    std::vector<double> start = shape;
-    std::vector<SearchRange> ranges;
-    for (const double number : shape) ranges.push_back({number, number});
-    for (size_t i = shape.size(); i < free.parameters.size(); ++i) ranges.push_back(range_of(free.parameters[i]));
-    start.insert(start.end(), {2, 1.4, 10});
-    return least_squares(ranges, start, [&](std::span<const double> numbers, std::vector<double>& residuals) {
-        residuals = free.G1(numbers, theta);
-        for (size_t k = 0; k < wanted.size(); ++k) residuals[k] -= wanted[k];
-    });
+std::vector<double> with_smith_masking(std::vector<double> shape) {
+    const ShadowingFit fit = fit_g1(shape[0], shape[1]);
+    const double log_reach = (std::log(std::log1p(1 / fit.lambda)) - std::log(fit.c)) / fit.k;
+    shape.insert(shape.end(), {fit.lambda, std::exp(log_reach), fit.k});
+    return shape;
 }
 
 }  // namespace
@@ -88,7 +95,8 @@ ChannelFit ChannelSearch::polished(const ChannelFit& start) const {
 
 ChannelFit ChannelSearch::with_another_lobe(const ChannelFit& fit) const {
     Shapes fixed;
-    for (const LobeFit& lobe : fit.lobes) fixed.push_back(lobe.shape);
+    for (const LobeFit& lobe : fit.lobes)
+        fixed.emplace_back(lobe.shape.begin(), lobe.shape.begin() + static_cast<std::ptrdiff_t>(m_bounds.shape.size()));
     ChannelFit best;
     for (const Shapes& start : best_starts(m_cells, fixed)) {
         const ChannelFit more = descend(m_cells, start);
@@ -145,16 +153,20 @@ ChannelFit ChannelSearch::descend(const ChannelProblem& problem, const ShapeFami
 }
 
 std::vector<ChannelSearch::Shapes> ChannelSearch::best_starts(const ChannelProblem& problem, const Shapes& fixed) const {
-    std::vector<std::pair<double, Shapes>> tried;
-    for (const auto& shape : scan_shapes(m_family, m_bounds.shape)) {
+    const Scan scan(m_family, m_bounds.shape);
+    const auto with = [&](const std::vector<double>& shape) {
         Shapes shapes = fixed;
         shapes.push_back(shape);
-        const double cost = problem.fit(m_family, shapes, m_bounds.linear).cost;
-        tried.emplace_back(cost, std::move(shapes));
-    }
-    std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        return shapes;
+    };
+    std::vector<double> costs;
+    for (const auto& shape : scan.shapes) costs.push_back(problem.fit(m_family, with(shape), m_bounds.linear).cost);
+    std::vector<size_t> valleys;
+    for (size_t j = 0; j < costs.size(); ++j)
+        if (scan.is_valley(costs, j)) valleys.push_back(j);
+    std::stable_sort(valleys.begin(), valleys.end(), [&](size_t a, size_t b) { return costs[a] < costs[b]; });
     std::vector<Shapes> best;
-    for (size_t i = 0; i < std::min(kStarts, tried.size()); ++i) best.push_back(tried[i].second);
+    for (size_t i = 0; i < std::min(kStarts, valleys.size()); ++i) best.push_back(with(scan.shapes[valleys[i]]));
     return best;
 }
 

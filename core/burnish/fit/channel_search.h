@@ -33,7 +33,7 @@ public:
     ChannelFit polished(const ChannelFit& start) const;
     /// Of sgd, the numbers of its fitted G1 free as well, from Smith's of each start; shapes have five numbers then.
     ChannelFit with_free_masking(const ChannelFit& start) const;
-    /// One lobe more than `fit` has, all shapes free.
+    /// One lobe more than `fit` has, all shapes free, masked as the family says.
     ChannelFit with_another_lobe(const ChannelFit& fit) const;
     /// The error of V.5.3, not normalised, on all cells.
     double error(const ChannelFit& fit) const;

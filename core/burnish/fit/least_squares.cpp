@@ -15,7 +15,8 @@ constexpr double kInside = 1e-4;  // starts keep this share of a range away from
 /// The free numbers as angles t.
 class Angles {
 public:
-    Angles(std::span<const SearchRange> ranges, std::span<const double> start) : m_ranges(ranges), m_start(start.begin(), start.end()) {
+    Angles(std::span<const SearchRange> ranges, std::span<const double> start)
+        : m_ranges(ranges), m_start(start.begin(), start.end()) {
         for (size_t i = 0; i < ranges.size(); ++i)
             if (!ranges[i].is_fixed()) m_free.push_back(i);
     }

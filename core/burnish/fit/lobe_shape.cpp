@@ -16,11 +16,9 @@ double tan2(double theta) { return square(std::tan(theta)); }
 double inverse_cos4(double theta) { return 1 / square(square(std::cos(theta))); }
 
 /// Without its norm, 1 where x = 0.
-double sgd_P22(double alpha, double p, double x) {
-    return std::exp(-x / alpha - p * std::log1p(x / square(alpha)));
-}
+double sgd_P22(double alpha, double p, double x) { return std::exp(-x / alpha - p * std::log1p(x / square(alpha))); }
 
-double sgd_D(ShapeNumbers n, double theta_h) { return sgd_P22(n[0], n[1], tan2(theta_h)) * inverse_cos4(theta_h); }
+double sgd_D(Shape n, double theta_h) { return sgd_P22(n[0], n[1], tan2(theta_h)) * inverse_cos4(theta_h); }
 
 /// Integral of f(x) P22(x) dx over x in [low, high], by Simpson's rule in u of ln(alpha^2 + x) = t0 + (t1 - t0) u^2, which spreads
 /// the power law below alpha, the exponential beyond, and the root that masking begins with at `low`.
@@ -39,7 +37,7 @@ double sgd_integral(double alpha, double p, double low, double high, const F& f)
 
 /// Smith's, with Lambda = integral of s^2 P22(s^2) 2 A(mu / s) ds / (pi mu) over slopes s > mu = cot(theta),
 /// A(c) = sqrt(1 - c^2) - c acos(c).
-std::vector<double> sgd_G1(ShapeNumbers n, std::span<const double> theta) {
+std::vector<double> sgd_G1(Shape n, std::span<const double> theta) {
     constexpr double kFarTail = 40;
     const double alpha = n[0], p = n[1], end = kFarTail * alpha;
     const double norm = sgd_integral(alpha, p, 0, end, [](double) { return 1.0; });
@@ -56,41 +54,39 @@ std::vector<double> sgd_G1(ShapeNumbers n, std::span<const double> theta) {
 }
 
 /// Eq. V.3 with c and theta0 expressed by where it begins to fall: 1 at pi/2 - reach, 0 at pi/2.
-double sgd_free_G1(ShapeNumbers n, double theta) {
+double sgd_free_G1(Shape n, double theta) {
     const double lambda = n[2], u = 1 - (kPiD / 2 - theta) / n[3];
     return u <= 0 ? 1 : std::max(0.0, 1 - lambda * std::expm1(std::log1p(1 / lambda) * std::pow(u, n[4])));
 }
 
 /// A closed form of one angle as a table.
-template <double (*G1)(ShapeNumbers, double)>
-std::vector<double> tabulate(ShapeNumbers n, std::span<const double> theta) {
+template <double (*G1)(Shape, double)>
+std::vector<double> tabulate(Shape n, std::span<const double> theta) {
     std::vector<double> table;
     for (const double t : theta) table.push_back(G1(n, t));
     return table;
 }
 
-double beckmann_D(ShapeNumbers n, double theta_h) { return std::exp(-tan2(theta_h) / square(n[0])) * inverse_cos4(theta_h); }
+double beckmann_D(Shape n, double theta_h) { return std::exp(-tan2(theta_h) / square(n[0])) * inverse_cos4(theta_h); }
 
-double beckmann_G1(ShapeNumbers n, double theta) {
+double beckmann_G1(Shape n, double theta) {
     const double a = 1 / (n[0] * std::tan(theta));
     return a < 1.6 ? (3.535 + 2.181 * a) * a / (1 + (2.276 + 2.577 * a) * a) : 1;
 }
 
-double ggx_D(ShapeNumbers n, double theta_h) {
+double ggx_D(Shape n, double theta_h) {
     const double m2 = square(n[0]);
     return square(m2 / (square(std::sin(theta_h)) + m2 * square(std::cos(theta_h))));
 }
 
-double ggx_G1(ShapeNumbers n, double theta) {
+double ggx_G1(Shape n, double theta) {
     const double z = std::cos(theta);
     return 2 * z / (z + std::hypot(n[0] * std::sin(theta), z));
 }
 
-double abc_D(ShapeNumbers n, double theta_h) {
-    return std::exp(-n[1] * std::log1p(n[0] * 2 * square(std::sin(theta_h / 2))));
-}
+double abc_D(Shape n, double theta_h) { return std::exp(-n[1] * std::log1p(n[0] * 2 * square(std::sin(theta_h / 2)))); }
 
-const ShapeParameter kAlpha{"alpha", 1e-6, 5, true, 20}, kPower{"p", 0, 2.5, false, 9}, kWidth{"m", 1e-4, 1, true, 40};
+const FamilyNumber kAlpha{"alpha", 1e-6, 5, true, 20}, kPower{"p", 0, 2.5, false, 9}, kWidth{"m", 1e-4, 1, true, 40};
 
 }  // namespace
 
@@ -130,7 +126,7 @@ ShapeGrid::Place ShapeGrid::place(double cosine) {
     return {node, static_cast<float>(at - node)};
 }
 
-void ShapeGrid::evaluate(const ShapeFamily& family, ShapeNumbers numbers, std::vector<double>& S) const {
+void ShapeGrid::evaluate(const ShapeFamily& family, Shape numbers, std::vector<double>& S) const {
     std::vector<double> D(m_theta_h.size());
     for (size_t h = 0; h < D.size(); ++h) D[h] = family.D(numbers, m_theta_h[h]);
     S.resize(m_cells.size());
@@ -140,7 +136,8 @@ void ShapeGrid::evaluate(const ShapeFamily& family, ShapeNumbers numbers, std::v
     }
     const std::vector<double> G1 = family.G1(numbers, m_angles);
     const auto masked = [&](const Place& place) {  // Catmull & Rom's cubic
-        const double a = place.along, p0 = G1[place.node - 1], p1 = G1[place.node], p2 = G1[place.node + 1], p3 = G1[place.node + 2];
+        const double a = place.along, p0 = G1[place.node - 1], p1 = G1[place.node], p2 = G1[place.node + 1],
+                     p3 = G1[place.node + 2];
         return p1 + 0.5 * a * (p2 - p0 + a * (2 * p0 - 5 * p1 + 4 * p2 - p3 + a * (3 * (p1 - p2) + p3 - p0)));
     };
     for (size_t j = 0; j < S.size(); ++j) {

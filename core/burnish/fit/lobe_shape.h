@@ -15,24 +15,24 @@
 namespace burnish {
 
 /// A number that a lobe's shape depends on.
-struct ShapeParameter {
+struct FamilyNumber {
     std::string_view name;  // in a material's JSON
     double min, max;
     bool logarithmic;
     int scan;  // how many values a scan of the whole range tries
 };
 
-using ShapeNumbers = std::span<const double>;  // in the order of ShapeFamily::parameters
+using Shape = std::span<const double>;  // in the order of ShapeFamily::parameters
 
 /// How masking goes: by a product of one-sided factors, or by the V-grooves of Torrance & Sparrow.
 enum class Masking { smith, grooves };
 
 struct ShapeFamily {
     std::string_view model;  // its name
-    std::vector<ShapeParameter> parameters;
+    std::vector<FamilyNumber> parameters;
     Masking masking;
-    double (*D)(ShapeNumbers numbers, double theta_h);
-    std::vector<double> (*G1)(ShapeNumbers numbers, std::span<const double> theta);  // of Masking::smith
+    double (*D)(Shape numbers, double theta_h);
+    std::vector<double> (*G1)(Shape numbers, std::span<const double> theta);  // of Masking::smith
 };
 
 /// The family of a model, null for models that are not microfacets in half and difference angles or that nobody fits so.
@@ -46,7 +46,7 @@ public:
     explicit ShapeGrid(const BrdfGrid& grid);
 
     /// S of every cell.
-    void evaluate(const ShapeFamily& family, ShapeNumbers numbers, std::vector<double>& S) const;
+    void evaluate(const ShapeFamily& family, Shape numbers, std::vector<double>& S) const;
 
 private:
     static constexpr int kAngles = 128;  // intervals of the table of G1 over 90 degrees, cubic in between
