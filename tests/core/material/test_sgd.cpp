@@ -209,8 +209,8 @@ TEST(Sgd, AlbedoOfRealMaterialsMatchesBruteForce) {
         for (const double theta_deg : {0.0, 60.0, 85.0}) {
             const Vec3f wo = direction_deg(theta_deg, 40);
             const AnyModel f(lobe);
-            const double brute =
-                HalfVectorChart(lobe, wo).integral([&](const Vec3f& wi) { return f.eval(wo, wi).y * std::abs(wi.z); }, 1024);
+            const double brute = integral(
+                HalfVectorChart(lobe, wo), [&](const Vec3f& wi) { return f.eval(wo, wi).y * std::abs(wi.z); }, 1024);
             EXPECT_NEAR(directional_albedo(lobe, wo, 16384).y, lobe.tint.y * brute, 0.006 * brute) << label(lobe, theta_deg);
         }
 }
