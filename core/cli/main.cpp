@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
     commands["models"] = cli::add_models(app);
     commands["demo"] = cli::add_demo(app);
     commands["bake"] = cli::add_bake(app);
+    commands["preview"] = cli::add_preview(app);
 
     if (argc > 1 && argv[1][0] != '-' && commands.count(argv[1]) == 0)
         return run_guarded([&] { return cli::run_external(argv + 1, commands); });

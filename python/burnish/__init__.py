@@ -14,7 +14,7 @@ from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
+from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from .errors import (
@@ -43,6 +43,7 @@ __all__ = [
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
+    "Measured",
     "MissingChannel",
     "ReadFailed",
     "SizeMismatch",
@@ -51,9 +52,11 @@ __all__ = [
     "compare",
     "composite",
     "info",
+    "library",
     "local_bandwidth",
     "models",
     "presets",
+    "read_measured",
     "roles",
     "run",
     "settings",
@@ -209,7 +212,8 @@ def models() -> dict[str, _Any]:
     Returns
     -------
     dict
-        Model name -> {"summary", "source", "reciprocal", "parameters": name -> {"default", "min", "max", "help"}}.
+        Model name -> {"summary", "source", "reciprocal", "anisotropic", "own_width", "parameters": name -> {"default", "min", "max",
+        "per_channel", "help"}}. own_width: its width follows from its parameters, and mx, my stretch it.
 
     Raises
     ------
@@ -233,6 +237,22 @@ def presets() -> dict[str, _Any]:
         Only when there is no memory for the answer.
     """
     return _core.presets()
+
+
+def library() -> dict[str, _Any]:
+    """The published fits of measured materials, each usable by its name wherever a material is.
+
+    Returns
+    -------
+    dict
+        Name, such as "merl:brass" -> material, as the shot file spells it.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.library()
 
 
 def shot_schema() -> dict[str, _Any]:
@@ -291,6 +311,27 @@ def info(path: _Path) -> dict[str, _Any]:
         The file is absent, corrupt, deep or no EXR.
     """
     return _core.info(path)
+
+
+def read_measured(path: _Path) -> Measured:
+    """Read a measured reflectance.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        MERL's .binary, Cornell's .brdf, ALTA's .alta or .dat, or a text that begins with "# burnish gonio 1".
+
+    Returns
+    -------
+    Measured
+        It can be evaluated; as a material it is ``{"model": "table", "table": path}``, or its path.
+
+    Raises
+    ------
+    ReadFailed
+        The file is absent, or no measurement.
+    """
+    return Measured(path)
 
 
 def compare(a: _Array, b: _Array, mask: _Array | None = None) -> dict[str, _Any]:
