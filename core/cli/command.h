@@ -19,5 +19,6 @@ Run add_compare(CLI::App& app);
 Run add_models(CLI::App& app);
 Run add_demo(CLI::App& app);
 Run add_bake(CLI::App& app);
+Run add_fit(CLI::App& app);
 
 }  // namespace burnish::cli

@@ -13,5 +13,6 @@ PYBIND11_MODULE(_core, module) {
     bind_light(module);
     bind_bandwidth(module);
     bind_job(module);
+    bind_fit(module);
     bind_files(module);
 }

@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
+from ._fitting import fit
+from ._tables import models, presets, roles, settings, shot_schema
 from .errors import (
     BadArgument,
     Cancelled,
@@ -50,6 +52,7 @@ __all__ = [
     "check_energy",
     "compare",
     "composite",
+    "fit",
     "info",
     "local_bandwidth",
     "models",
@@ -169,86 +172,6 @@ def _wardrobe(materials):
     if len(materials) == 1:
         wardrobe["material"] = next(iter(materials))
     return wardrobe
-
-
-def settings() -> list[dict[str, _Any]]:
-    """The table of settings that the command line, the shot file and Python share.
-
-    Returns
-    -------
-    list of dict
-        In the order they are shown: name, section and key in the shot file, unit, help, min, max, choices, default.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.settings()
-
-
-def roles() -> dict[str, _Any]:
-    """The roles that layers of a frame can play.
-
-    Returns
-    -------
-    dict
-        Role name -> {"channels": int, "help": str}.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.roles()
-
-
-def models() -> dict[str, _Any]:
-    """The reflectance models.
-
-    Returns
-    -------
-    dict
-        Model name -> {"summary", "source", "reciprocal", "parameters": name -> {"default", "min", "max", "help"}}.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.models()
-
-
-def presets() -> dict[str, _Any]:
-    """The built-in materials.
-
-    Returns
-    -------
-    dict
-        Name -> material, as the shot file spells it.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.presets()
-
-
-def shot_schema() -> dict[str, _Any]:
-    """The JSON schema of the shot file.
-
-    Returns
-    -------
-    dict
-        JSON Schema, draft 2020-12.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.shot_schema()
 
 
 def check_energy(material: str | dict) -> dict[str, float]:

@@ -1,0 +1,125 @@
+"""Data and fit side by side: slices, polar lobes, and balls with their difference."""
+
+from __future__ import annotations
+
+import pathlib
+
+import numpy as np
+
+from .picture import DPI, FAINT, INK, SOFT, save
+
+__all__ = ["figures", "save"]
+
+CHANNELS = (("red", "#c0392b"), ("green", "#2e8b57"), ("blue", "#2c5fb8"))
+SLICES = {"half": r"along itself ($\theta_d$ = 0)", "difference": r"mirror reflection ($\theta_h$ = 0)"}
+ANGLE = {"half": r"$\theta_h$, degrees", "difference": r"$\theta_d$, degrees"}
+DECADES = 6  # below a slice's peak
+LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+BALL_PX, AMPLIFIED = 320, 4
+
+
+def figures(report):
+    """Pairs of name and matplotlib Figure."""
+    yield "slices", slices(report)
+    yield "lobes", lobes(report)
+    if pathlib.Path(report["table"]).exists():
+        yield "balls", balls(report)
+
+
+def new_figure(columns, rows, title, polar=False):
+    """A figure with panels, and what it shows above them."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(5.2 * columns, 4.4 * rows + 0.8), dpi=DPI, facecolor="white")
+    panels = figure.subplots(rows, columns, squeeze=False, subplot_kw={"projection": "polar"} if polar else None)
+    figure.suptitle(title, x=0.06, ha="left", fontsize=15, fontweight="bold", color=INK)
+    return figure, panels
+
+
+def title_of(report):
+    """Which table, which model, how far off."""
+    errors = report["errors"]
+    lobes_text = f"{errors['lobes']} lobe" + ("s" if errors["lobes"] != 1 else "")
+    return (f"{pathlib.Path(report['table']).name}: {errors['model']}, {lobes_text}, normalised L2 {errors['normalised_l2']:.2g}, "
+            f"L1 {errors['l1']:.2g}")
+
+
+def slices(report):
+    """Both slices, channel by channel: dots are data, lines the fit."""
+    figure, panels = new_figure(2, 1, title_of(report))
+    curves = {curve["kind"]: curve for curve in report["curves"]}
+    for panel, kind in zip(panels[0], SLICES):
+        data, fit = np.array(curves[kind]["data"]), np.array(curves[kind]["fit"])
+        for channel, (name, colour) in enumerate(CHANNELS):
+            panel.plot(curves[kind]["angle_deg"], data[:, channel], ".", ms=3, color=colour, alpha=0.6, label=f"{name}, data")
+            panel.plot(curves[kind]["angle_deg"], fit[:, channel], "-", lw=1.2, color=colour, label="fit")
+        panel.set_title(SLICES[kind], loc="left", fontsize=12, color=INK)
+        panel.set_xlabel(ANGLE[kind], color=SOFT)
+        panel.set_ylabel("f, 1/sr", color=SOFT)
+        panel.set_yscale("log")
+        peak = max(data.max(), fit.max(), 1e-12)
+        panel.set_ylim(max(peak * 10.0**-DECADES, positive_minimum(data, fit) / 2), peak * 2)
+        if kind == "half":
+            panel.set_xscale("symlog", linthresh=1)
+        panel.grid(color=FAINT)
+    panels[0][0].legend(fontsize=8, frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 0.94))
+    return figure
+
+
+def positive_minimum(*arrays):
+    """The least value above 0."""
+    positive = np.concatenate([array[array > 0] for array in arrays])
+    return positive.min() if positive.size else 1e-6
+
+
+def lobes(report):
+    """Polar lobes for a few incident angles: cube roots of f cos, as data dots and fit lines; what comes through points down."""
+    curves = [curve for curve in report["curves"] if curve["kind"] in ("lobe", "through")]
+    angles = sorted({curve["theta_i_deg"] for curve in curves})
+    figure, panels = new_figure(len(angles), 1, title_of(report), polar=True)
+    for panel, angle in zip(panels[0], angles):
+        for curve in (curve for curve in curves if curve["theta_i_deg"] == angle):
+            draw_lobe(panel, curve)
+        panel.annotate("", xy=(0, 0), xytext=(np.radians(-angle), panel.get_rmax()),
+                       arrowprops={"arrowstyle": "->", "color": SOFT})
+        panel.set_theta_zero_location("N")
+        panel.set_theta_direction(-1)
+        through = any(curve["kind"] == "through" for curve in curves)
+        panel.set_thetalim(-np.pi if through else -np.pi / 2, np.pi if through else np.pi / 2)
+        panel.set_yticklabels([])
+        panel.set_title(f"light from {angle:.0f} degrees", fontsize=12, color=INK)
+    figure.tight_layout(rect=(0, 0, 1, 0.92))
+    return figure
+
+
+def draw_lobe(panel, curve):
+    """One lobe: luminance of f cos theta_o."""
+    theta = np.radians(curve["angle_deg"])
+    place = theta if curve["kind"] == "lobe" else np.pi - theta
+    for key, style in (("data", {"ls": "", "marker": ".", "ms": 3, "color": "#2e8b57"}), ("fit", {"lw": 1.2, "color": "#c0392b"})):
+        values = np.cbrt(np.array(curve[key]) @ LUMINANCE * np.cos(theta))
+        panel.plot(place, values, **style)
+
+
+def balls(report):
+    """A ball of the data, one of the fit, and their difference, amplified."""
+    from .. import preview
+
+    data, fit = preview(report["table"], size=BALL_PX), preview(report["material"], size=BALL_PX)
+    scale = 0.18 / max(data[..., :3].mean(), 1e-9)
+    pictures = (("the table", data, scale), ("the fit", fit, scale),
+                (f"difference, {AMPLIFIED} times", np.abs(data - fit), AMPLIFIED * scale))
+    figure, panels = new_figure(3, 1, title_of(report))
+    for panel, (name, picture, gain) in zip(panels[0], pictures):
+        panel.imshow(display(picture[..., :3] * gain))
+        panel.set_title(name, fontsize=12, color=INK)
+        panel.axis("off")
+    figure.tight_layout(rect=(0, 0, 1, 0.94))
+    return figure
+
+
+def display(linear):
+    """sRGB's curve."""
+    clipped = np.clip(linear, 0, 1)
+    return np.where(clipped <= 0.0031308, 12.92 * clipped, 1.055 * clipped ** (1 / 2.4) - 0.055)
