@@ -1,7 +1,7 @@
 // Layers of images into the scanlines of one EXR file. Internal to the writers: headers elsewhere stay free of OpenImageIO.
 #pragma once
 
-#include <burnish/output/atomic_file.h>
+#include <burnish/base/atomic_file.h>
 #include <burnish/output/exr_writer.h>
 
 #include <OpenImageIO/filesystem.h>

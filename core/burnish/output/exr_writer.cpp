@@ -1,5 +1,5 @@
 #include <burnish/base/error.h>
-#include <burnish/output/atomic_file.h>
+#include <burnish/base/atomic_file.h>
 #include <burnish/output/exr_pixels.h>
 #include <burnish/output/exr_writer.h>
 #include <burnish/output/output_spec.h>

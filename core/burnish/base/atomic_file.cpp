@@ -1,5 +1,5 @@
 #include <burnish/base/error.h>
-#include <burnish/output/atomic_file.h>
+#include <burnish/base/atomic_file.h>
 
 #include <cerrno>
 #include <cstring>
