@@ -20,5 +20,6 @@ Run add_models(CLI::App& app);
 Run add_demo(CLI::App& app);
 Run add_bake(CLI::App& app);
 Run add_fit(CLI::App& app);
+Run add_tabulate(CLI::App& app);
 
 }  // namespace burnish::cli
