@@ -14,6 +14,9 @@ struct BrdfSample {
     Color3f f;  // 1/sr, without a cosine
 };
 
+/// No measurement goes beyond this, in 1/sr: a perfect mirror within 1e-5 rad. Larger numbers are errors.
+inline constexpr float kLargestReflectance = 1e9f;
+
 class MeasuredBrdf {
 public:
     virtual ~MeasuredBrdf() = default;

@@ -9,7 +9,6 @@ namespace burnish {
 namespace {
 
 constexpr Imath::V3d kScale(1.0 / 1500, 1.15 / 1500, 1.66 / 1500);
-constexpr double kLargest = 1e9;  // 1/sr; a perfect mirror in 1e-5 rad
 constexpr double kUnmeasured = -1;
 constexpr int kH = MerlTable::kThetaH, kD = MerlTable::kThetaD, kP = MerlTable::kPhiD;
 
@@ -59,7 +58,7 @@ std::optional<Color3f> MerlTable::at_index(size_t index) const {
     Color3f value;
     for (int c = 0; c < 3; ++c) {
         const double f = m_numbers[static_cast<size_t>(c) * kCells + index] * kScale[c];
-        if (!(f >= 0 && f <= kLargest)) return std::nullopt;  // false for NaN as well
+        if (!(f >= 0 && f <= kLargestReflectance)) return std::nullopt;  // false for NaN as well
         value[c] = static_cast<float>(f);
     }
     return value;

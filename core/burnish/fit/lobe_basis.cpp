@@ -1,0 +1,28 @@
+#include <burnish/fit/lobe_basis.h>
+#include <burnish/material/lobe.h>
+
+namespace burnish {
+
+void lobe_basis(const LobeParameters& lobe, const NumberRange& r0, const TransferSamples& samples, size_t begin, size_t end,
+                LobeBasis& basis) {
+    LobeParameters both = lobe;
+    both.fresnel.eta = {static_cast<float>(r0.min), static_cast<float>(r0.max), 0};
+    basis.low.resize(end - begin);
+    basis.high.resize(end - begin);
+    visit_lobe(both, [&](const auto& model) {
+        for (size_t j = begin; j < end; ++j) {
+            const Color3f f = model.eval(samples.wo[j], samples.wi[j]) * samples.cosine[j];
+            basis.low[j - begin] = f.x;
+            basis.high[j - begin] = f.y;
+        }
+    });
+}
+
+void set_weights(float low, float high, const LobeSpace& space, LobeParameters& lobe) {
+    lobe.strength = low + high;
+    if (!space.has_fresnel) return;
+    const double share = lobe.strength > 0 ? high / lobe.strength : 0;
+    lobe.fresnel.eta = Color3f(static_cast<float>(space.r0.min + share * (space.r0.max - space.r0.min)));
+}
+
+}  // namespace burnish

@@ -1,0 +1,124 @@
+#include <burnish/fit/diffuse_mode.h>
+#include <burnish/fit/lobe_mixture_fit.h>
+#include <burnish/fit/lobe_search.h>
+#include <burnish/fit/table_noise.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr size_t kSearched = 4096, kPolished = 16384;  // samples that stand for all while lobes are looked for
+constexpr int kValleys = 3;                            // starts of each new lobe
+
+class Growth {
+public:
+    Growth(const TransferSamples& samples, Side side, ModelId model, bool round, const FitSettings& settings,
+           const Progress& progress)
+        : m_all(samples),
+          m_polished(thinned(samples, kPolished)),
+          m_searched(thinned(samples, kSearched)),
+          m_side(side),
+          m_model(model),
+          m_round(round),
+          m_bounds(settings.bounds),
+          m_progress(progress) {}
+
+    LobeMixture without_lobes() const {
+        LobeMixture mixture;
+        mixture.side = m_side;
+        if (m_side == Side::reflection) {
+            if (const NumberRange* range = find_bounds(m_bounds, 1, "kd")) mixture.kd_range = *range;
+            const Color3f kd = diffuse_mode(m_all);
+            mixture.kd =
+                static_cast<float>(std::clamp<double>((kd.x + kd.y + kd.z) / 3, mixture.kd_range.min, mixture.kd_range.max));
+        }
+        mixture.error = mixture_error(mixture, m_all, grey(m_all.p));
+        return mixture;
+    }
+
+    /// `mixture` and one more lobe.
+    LobeMixture with_another(const LobeMixture& mixture) const {
+        LobeMixture best;
+        best.error = std::numeric_limits<double>::infinity();
+        const LobeSpace space = lobe_space(m_model, m_side, static_cast<int>(mixture.lobes.size()) + 1, m_round, m_bounds);
+        for (const FoundLobe& found : search_lobe(space, m_searched, left_over(mixture, m_searched), kValleys, m_progress)) {
+            LobeMixture next = mixture;
+            next.lobes.push_back(found.lobe);
+            next.spaces.push_back(space);
+            next = polished(std::move(next), m_polished, grey(m_polished.p), m_progress);
+            if (next.error < best.error) best = std::move(next);
+        }
+        if (best.lobes.size() > 1) best = alternated(std::move(best));
+        return polished(std::move(best), m_all, grey(m_all.p), m_progress);
+    }
+
+private:
+    /// Each lobe searched for anew in what the others leave, if that leads lower.
+    LobeMixture alternated(LobeMixture best) const {
+        for (size_t n = 0; n < best.lobes.size(); ++n) {
+            LobeMixture others = best;
+            others.lobes[n].strength = 0;
+            const std::vector<FoundLobe> found =
+                search_lobe(best.spaces[n], m_searched, left_over(others, m_searched), 1, m_progress);
+            if (found.empty()) continue;
+            others.lobes[n] = found.front().lobe;
+            others = polished(std::move(others), m_polished, grey(m_polished.p), m_progress);
+            if (others.error < best.error) best = std::move(others);
+        }
+        return best;
+    }
+
+    /// What the mixture leaves of p; not below 0, else a lobe that fills a gap would cost more than it gains elsewhere.
+    static std::vector<float> left_over(const LobeMixture& mixture, const TransferSamples& samples) {
+        std::vector<float> left = grey(samples.p);
+        const std::vector<float> model = mixture_transfer(mixture, samples);
+        for (size_t j = 0; j < left.size(); ++j) left[j] = std::max(0.0f, left[j] - model[j]);
+        return left;
+    }
+
+    const TransferSamples& m_all;
+    const TransferSamples m_polished, m_searched;
+    const Side m_side;
+    const ModelId m_model;
+    const bool m_round;
+    const ParameterBounds& m_bounds;
+    const Progress& m_progress;
+};
+
+/// As many samples of equal weight as these are worth.
+double effective_count(const TransferSamples& samples) {
+    double squares = 0;
+    for (const float w : samples.weight) squares += static_cast<double>(w) * w;
+    return squares > 0 ? 1 / squares : 0;
+}
+
+bool pays(const LobeMixture& fewer, const LobeMixture& more, double count) {
+    const int added = more.parameters() - fewer.parameters();
+    const double of_noise = 0.5 * std::log(count) / count;  // Schwarz' rule for errors of Laplace's distribution
+    return fewer.error - more.error > added * std::max(kGainPerNumber, of_noise) * fewer.error;
+}
+
+/// The largest number of lobes that pays over the last one that did.
+size_t needed_lobes(const std::vector<LobeMixture>& by_lobes, double count) {
+    size_t chosen = 0;
+    for (size_t k = 1; k < by_lobes.size(); ++k)
+        if (pays(by_lobes[chosen], by_lobes[k], count)) chosen = k;
+    return chosen;
+}
+
+}  // namespace
+
+SideFit fit_side(const TransferSamples& samples, Side side, ModelId model, bool round, const FitSettings& settings,
+                 const Progress& progress) {
+    const Growth growth(samples, side, model, round, settings, progress);
+    SideFit fit;
+    fit.by_lobes.push_back(growth.without_lobes());
+    for (int k = 1; k <= settings.max_lobes; ++k) fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back()));
+    fit.chosen = settings.fixed_lobes ? fit.by_lobes.size() - 1 : needed_lobes(fit.by_lobes, effective_count(samples));
+    fit.noise = noise_level(samples, mixture_transfer(fit.by_lobes.back(), samples));
+    return fit;
+}
+
+}  // namespace burnish

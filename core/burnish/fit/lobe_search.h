@@ -1,0 +1,22 @@
+// The hierarchical grid search for one lobe: a coarse grid over the numbers of its shape, then finer ones around each of the best
+// valleys. Strength and r0 are not searched but solved for, exactly, at every point.
+// Source: Walkthrough 3.4.1, where all five numbers are searched and only the best point is followed.
+#pragma once
+
+#include <burnish/base/progress.h>
+#include <burnish/fit/lobe_space.h>
+#include <burnish/fit/transfer_samples.h>
+
+namespace burnish {
+
+struct FoundLobe {
+    LobeParameters lobe;
+    double error = 0;  // sum weight |target - p|
+};
+
+/// Up to `valleys` lobes of different shape that fit `target`, one value a sample, best first. Empty where the space's strength is
+/// bound to 0 or nothing was recorded. The same for any number of threads; throws Error(cancelled).
+std::vector<FoundLobe> search_lobe(const LobeSpace& space, const TransferSamples& samples, const std::vector<float>& target,
+                                   int valleys, const Progress& progress);
+
+}  // namespace burnish
