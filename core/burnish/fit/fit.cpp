@@ -2,8 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/fit/fit_curves.h>
-#include <burnish/fit/lobe_search.h>
-#include <burnish/fit/slice_fit.h>
+#include <burnish/fit/fit_lobes.h>
 #include <burnish/material/library.h>
 #include <burnish/material/model.h>
 
@@ -31,6 +30,10 @@ json colors_to_json(const std::vector<Color3f>& colors) {
 }
 
 }  // namespace
+
+FitComparison fit_material(const MeasuredBrdf& data, const FitSettings& settings, const Progress& progress) {
+    return {{fit_lobes(data, settings, progress)}, 0};
+}
 
 json fit_report(const MeasuredBrdf& data, const FitComparison& comparison) {
     const FitResult& best = comparison.best();
