@@ -37,8 +37,9 @@ FitComparison fit_material(const MeasuredBrdf& data, const FitSettings& settings
 
 json fit_report(const MeasuredBrdf& data, const FitComparison& comparison) {
     const FitResult& best = comparison.best();
-    json report = {{"table", data.file()}, {"material", material_to_json(best.material)}, {"errors", errors_to_json(best)},
-                   {"notes", best.notes},  {"tried", json::array()},                      {"residuals", json::array()},
+    json report = {{"table", data.file()},           {"material", material_to_json(best.material)},
+                   {"errors", errors_to_json(best)}, {"notes", best.notes},
+                   {"tried", json::array()},         {"residuals", json::array()},
                    {"curves", json::array()}};
     for (const FitResult& fit : comparison.tried) report["tried"].push_back(errors_to_json(fit));
     for (const AngleResidual& residual : angle_residuals(data, best.material))
@@ -48,7 +49,8 @@ json fit_report(const MeasuredBrdf& data, const FitComparison& comparison) {
     for (const FitCurve& curve : fit_curves(data, best.material))
         report["curves"].push_back({{"kind", curve.kind},
                                     {"theta_i_deg", curve.theta_i_deg},
-                                    {"angle_deg", curve.angle_deg},
+                                    {"data_deg", curve.data_deg},
+                                    {"fit_deg", curve.fit_deg},
                                     {"data", colors_to_json(curve.data)},
                                     {"fit", colors_to_json(curve.fit)}});
     return report;

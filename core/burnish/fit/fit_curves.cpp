@@ -13,40 +13,17 @@ namespace {
 
 constexpr float kDegree = kPi / 180;
 constexpr std::array<float, 4> kIncident_deg{10, 30, 50, 70};
-constexpr int kSlicePoints = 180, kLobeStep_deg = 1;
+constexpr int kSlicePoints = 180;
+constexpr float kStep_deg = 10;     // incident angles are gathered to
+constexpr float kInPlane_deg = 10;  // azimuth of a pair that still counts as in the plane of incidence
 
 /// In the plane of incidence, y = 0: positive angles on the side that light is mirrored to.
 Vec3f in_plane(float theta_deg) { return {std::sin(theta_deg * kDegree), 0, std::cos(theta_deg * kDegree)}; }
 
+float theta_deg(float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)) / kDegree; }
+float incident_deg(const BrdfSample& sample) { return kStep_deg * std::round(theta_deg(std::fabs(sample.wi.z)) / kStep_deg); }
+
 using Pair = std::pair<Vec3f, Vec3f>;  // wo, wi
-
-struct Sides {
-    const MeasuredBrdf& data;
-    MaterialBrdf fit;
-
-    FitCurve curve(const std::string& kind, const std::vector<float>& angles_deg,
-                   const std::function<Pair(float)>& pair) const {
-        FitCurve result{kind, 0, angles_deg, {}, {}};
-        for (const float angle : angles_deg) {
-            const auto [wo, wi] = pair(angle);
-            result.data.push_back(data.eval(wo, wi));
-            result.fit.push_back(fit(wo, wi));
-        }
-        return result;
-    }
-
-    FitCurve lobe(const std::string& kind, float theta_i_deg, float side) const {
-        std::vector<float> angles;
-        for (int a = -89; a <= 89; a += kLobeStep_deg) angles.push_back(static_cast<float>(a));
-        const Vec3f wi = in_plane(-theta_i_deg);
-        FitCurve result = curve(kind, angles, [&](float angle) {
-            const Vec3f out = in_plane(angle);
-            return Pair(out, Vec3f(wi.x, wi.y, side * wi.z));
-        });
-        result.theta_i_deg = theta_i_deg;
-        return result;
-    }
-};
 
 /// Dense towards 0, where lobes are sharp: steps grow as their square roots' do, as MERL's do.
 std::vector<float> slice_angles(float last_deg) {
@@ -58,17 +35,105 @@ std::vector<float> slice_angles(float last_deg) {
     return angles;
 }
 
+std::vector<float> lobe_angles() {
+    std::vector<float> angles;
+    for (int a = -89; a <= 89; ++a) angles.push_back(static_cast<float>(a));
+    return angles;
+}
+
+Pair lobe_pair(float theta_i_deg, float angle, float side) {
+    const Vec3f wi = in_plane(-theta_i_deg);
+    return {in_plane(angle), Vec3f(wi.x, wi.y, side * wi.z)};
+}
+
+struct Curves {
+    const MeasuredBrdf& data;
+    MaterialBrdf fit;
+    std::vector<FitCurve> all = {};
+
+    void add_dense(const std::string& kind, float theta_i_deg, const std::vector<float>& angles,
+                   const std::function<Pair(float)>& pair) {
+        FitCurve curve{kind, theta_i_deg, angles, angles};
+        for (const float angle : angles) {
+            const auto [wo, wi] = pair(angle);
+            curve.data.push_back(data.eval(wo, wi));
+            curve.fit.push_back(fit(wo, wi));
+        }
+        all.push_back(std::move(curve));
+    }
+
+    void add_lobe(const std::string& kind, float theta_i_deg, float side) {
+        add_dense(kind, theta_i_deg, lobe_angles(), [&](float angle) { return lobe_pair(theta_i_deg, angle, side); });
+    }
+
+    void add_pairs(float theta_i_deg, std::vector<const BrdfSample*> samples) {
+        FitCurve curve{"pairs", theta_i_deg};
+        const auto half_z = [](const BrdfSample* s) {
+            return (s->wo + Vec3f(s->wi.x, s->wi.y, std::fabs(s->wi.z))).normalized().z;
+        };
+        std::ranges::sort(samples, std::ranges::greater(), half_z);
+        for (const BrdfSample* sample : samples) {
+            curve.data_deg.push_back(theta_deg(half_z(sample)));
+            curve.data.push_back(sample->f);
+            curve.fit.push_back(fit(sample->wo, sample->wi));
+        }
+        curve.fit_deg = curve.data_deg;
+        all.push_back(std::move(curve));
+    }
+
+    void add_sparse_lobe(const std::string& kind, float theta_i_deg, float side,
+                         const std::vector<const BrdfSample*>& samples) {
+        FitCurve curve{kind, theta_i_deg, {}, lobe_angles()};
+        for (const float angle : curve.fit_deg) {
+            const auto [wo, wi] = lobe_pair(theta_i_deg, angle, side);
+            curve.fit.push_back(fit(wo, wi));
+        }
+        for (const BrdfSample* sample : samples) {
+            const Vec3f &wo = sample->wo, &wi = sample->wi;
+            const float across = std::fabs(wo.x * wi.y - wo.y * wi.x), along = -(wo.x * wi.x + wo.y * wi.y);
+            if (across > std::tan(kInPlane_deg * kDegree) * std::fabs(along) + 1e-6f) continue;
+            curve.data_deg.push_back(std::copysign(theta_deg(wo.z), along));
+            curve.data.push_back(sample->f);
+        }
+        all.push_back(std::move(curve));
+    }
+};
+
+void add_slices(Curves& curves) {
+    curves.add_dense("half", 0, slice_angles(89), [](float angle) { return Pair(in_plane(angle), in_plane(angle)); });
+    curves.add_dense("difference", 0, slice_angles(85), [](float angle) { return Pair(in_plane(angle), in_plane(-angle)); });
+    for (const float theta_i : kIncident_deg) curves.add_lobe("lobe", theta_i, 1);
+    if (curves.data.transmits())
+        for (const float theta_i : kIncident_deg) curves.add_lobe("through", theta_i, -1);
+}
+
+/// Of the incident angles with most pairs.
+void add_measured(Curves& curves, const std::vector<BrdfSample>& samples) {
+    std::map<float, std::vector<const BrdfSample*>> by_angle;
+    for (const BrdfSample& sample : samples) by_angle[incident_deg(sample)].push_back(&sample);
+    std::vector<std::pair<float, std::vector<const BrdfSample*>>> angles(by_angle.begin(), by_angle.end());
+    std::ranges::stable_sort(angles, std::ranges::greater(), [](const auto& angle) { return angle.second.size(); });
+    angles.resize(std::min(angles.size(), kIncident_deg.size()));
+    std::ranges::sort(angles, {}, [](const auto& angle) { return angle.first; });
+    for (const auto& [angle, own] : angles) {
+        curves.add_pairs(angle, own);
+        for (const float side : {1.0f, -1.0f}) {
+            std::vector<const BrdfSample*> on_side;
+            std::ranges::copy_if(own, std::back_inserter(on_side), [&](const BrdfSample* s) { return s->wi.z * side > 0; });
+            if (!on_side.empty()) curves.add_sparse_lobe(side > 0 ? "lobe" : "through", angle, side, on_side);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<FitCurve> fit_curves(const MeasuredBrdf& data, const Material& fit) {
-    const Sides sides{data, MaterialBrdf(fit)};
-    std::vector<FitCurve> curves{
-        sides.curve("half", slice_angles(89), [](float angle) { return Pair(in_plane(angle), in_plane(angle)); }),
-        sides.curve("difference", slice_angles(85), [](float angle) { return Pair(in_plane(angle), in_plane(-angle)); })};
-    for (const float theta_i : kIncident_deg) curves.push_back(sides.lobe("lobe", theta_i, 1));
-    if (data.transmits())
-        for (const float theta_i : kIncident_deg) curves.push_back(sides.lobe("through", theta_i, -1));
-    return curves;
+    Curves curves{data, MaterialBrdf(fit)};
+    if (data.is_dense())
+        add_slices(curves);
+    else
+        add_measured(curves, data.samples());
+    return std::move(curves.all);
 }
 
 std::vector<AngleResidual> angle_residuals(const MeasuredBrdf& data, const Material& fit) {
@@ -76,12 +141,10 @@ std::vector<AngleResidual> angle_residuals(const MeasuredBrdf& data, const Mater
         Color3f off{0, 0, 0}, all{0, 0, 0};
         int pairs = 0;
     };
-    constexpr float kStep_deg = 10;
     const MaterialBrdf model(fit);
-    std::map<int, Sums> by_angle;
+    std::map<float, Sums> by_angle;
     for (const BrdfSample& sample : data.samples()) {
-        const float theta = std::acos(std::min(std::fabs(sample.wi.z), 1.0f)) / kDegree;
-        Sums& sums = by_angle[static_cast<int>(std::lround(theta / kStep_deg))];
+        Sums& sums = by_angle[incident_deg(sample)];
         const Color3f difference = sample.f - model(sample.wo, sample.wi);
         const Color3f distance(std::fabs(difference.x), std::fabs(difference.y), std::fabs(difference.z));
         sums.off += distance * sample.wo.z, sums.all += sample.f * sample.wo.z, ++sums.pairs;
@@ -90,7 +153,7 @@ std::vector<AngleResidual> angle_residuals(const MeasuredBrdf& data, const Mater
     for (const auto& [angle, sums] : by_angle) {
         Color3f relative(0);
         for (int k = 0; k < 3; ++k) relative[k] = sums.all[k] > 0 ? sums.off[k] / sums.all[k] : 0.0f;
-        residuals.push_back({kStep_deg * static_cast<float>(angle), sums.pairs, relative});
+        residuals.push_back({angle, sums.pairs, relative});
     }
     return residuals;
 }

@@ -4,6 +4,7 @@
 //     difference  theta_h = 0: mirror reflection, over theta_d: Fresnel and shadowing
 //     lobe        light from theta_i, over theta_o in the plane of incidence, positive on the mirror's side
 //     through     the same behind a sheet that lets light through
+//     pairs       measured pairs of one incident angle, over theta_h: for tables too sparse for slices
 #pragma once
 
 #include <burnish/material/measured/measured_brdf.h>
@@ -16,12 +17,13 @@ namespace burnish {
 
 struct FitCurve {
     std::string kind;
-    float theta_i_deg = 0;         // of lobes
-    std::vector<float> angle_deg;  // ascending
-    std::vector<Color3f> data, fit;
+    float theta_i_deg = 0;  // of lobes and pairs
+    std::vector<float> data_deg = {}, fit_deg = {};
+    std::vector<Color3f> data = {}, fit = {};  // f, 1/sr
 };
 
-/// Both slices and lobes of a few incident angles, through the measurement's own interpolation.
+/// Of dense tables both slices and lobes of a few incident angles; of others the pairs of the incident angles that have most of
+/// them, and lobes whose data are the pairs near the plane of incidence.
 std::vector<FitCurve> fit_curves(const MeasuredBrdf& data, const Material& fit);
 
 /// How far the fit is off, by the light's angle: mean of |data - fit| |cos_o| over that of data |cos_o|, all measured pairs.

@@ -45,26 +45,35 @@ def title_of(report):
 
 
 def slices(report):
-    """Both slices, channel by channel: dots are data, lines the fit."""
-    figure, panels = new_figure(2, 1, title_of(report))
-    curves = {curve["kind"]: curve for curve in report["curves"]}
-    for panel, kind in zip(panels[0], SLICES):
-        data, fit = np.array(curves[kind]["data"]), np.array(curves[kind]["fit"])
-        for channel, (name, colour) in enumerate(CHANNELS):
-            panel.plot(curves[kind]["angle_deg"], data[:, channel], ".", ms=3, color=colour, alpha=0.6, label=f"{name}, data")
-            panel.plot(curves[kind]["angle_deg"], fit[:, channel], "-", lw=1.2, color=colour, label="fit")
-        panel.set_title(SLICES[kind], loc="left", fontsize=12, color=INK)
-        panel.set_xlabel(ANGLE[kind], color=SOFT)
-        panel.set_ylabel("f, 1/sr", color=SOFT)
-        panel.set_yscale("log")
-        peak = max(data.max(), fit.max(), 1e-12)
-        panel.set_ylim(max(peak * 10.0**-DECADES, positive_minimum(data, fit) / 2), peak * 2)
-        if kind == "half":
-            panel.set_xscale("symlog", linthresh=1)
-        panel.grid(color=FAINT)
+    """Both slices of a dense table, or the pairs of a sparse one by the light's angle; channel by channel."""
+    curves = [curve for curve in report["curves"] if curve["kind"] in SLICES or curve["kind"] == "pairs"]
+    figure, panels = new_figure(min(len(curves), 2), (len(curves) + 1) // 2, title_of(report))
+    for panel, curve in zip(panels.flat, curves):
+        draw_slice(panel, curve)
+    for panel in panels.flat[len(curves):]:
+        panel.axis("off")
     panels[0][0].legend(fontsize=8, frameon=False)
     figure.tight_layout(rect=(0, 0, 1, 0.94))
     return figure
+
+
+def draw_slice(panel, curve):
+    """Dots are data; lines the fit, crosses where it has values at the pairs only."""
+    data, fit = np.array(curve["data"]), np.array(curve["fit"])
+    is_slice = curve["kind"] in SLICES
+    for channel, (name, colour) in enumerate(CHANNELS):
+        panel.plot(curve["data_deg"], data[:, channel], ".", ms=3, color=colour, alpha=0.6, label=f"{name}, data")
+        panel.plot(curve["fit_deg"], fit[:, channel], "-" if is_slice else "x", lw=1.2, ms=3, color=colour, label="fit")
+    panel.set_title(SLICES.get(curve["kind"], f"light from {curve['theta_i_deg']:.0f} degrees"), loc="left", fontsize=12, color=INK)
+    panel.set_xlabel(ANGLE["difference" if curve["kind"] == "difference" else "half"], color=SOFT)
+    panel.set_ylabel("f, 1/sr", color=SOFT)
+    panel.set_yscale("log")
+    peak = max(data.max(), fit.max(), 1e-12)
+    panel.set_ylim(max(peak * 10.0**-DECADES, positive_minimum(data, fit) / 2), peak * 2)
+    if curve["kind"] != "difference":
+        panel.set_xscale("symlog", linthresh=1)
+        panel.set_xlim(0, 90)
+    panel.grid(color=FAINT)
 
 
 def positive_minimum(*arrays):
@@ -94,12 +103,11 @@ def lobes(report):
 
 
 def draw_lobe(panel, curve):
-    """One lobe: luminance of f cos theta_o."""
-    theta = np.radians(curve["angle_deg"])
-    place = theta if curve["kind"] == "lobe" else np.pi - theta
+    """One lobe: cube root of the luminance of f cos theta_o."""
     for key, style in (("data", {"ls": "", "marker": ".", "ms": 3, "color": "#2e8b57"}), ("fit", {"lw": 1.2, "color": "#c0392b"})):
-        values = np.cbrt(np.array(curve[key]) @ LUMINANCE * np.cos(theta))
-        panel.plot(place, values, **style)
+        theta = np.radians(curve[f"{key}_deg"])
+        values = np.cbrt(np.reshape(curve[key], (-1, 3)) @ LUMINANCE * np.cos(theta))
+        panel.plot(theta if curve["kind"] == "lobe" else np.pi - theta, values, **style)
 
 
 def balls(report):
