@@ -1,4 +1,5 @@
 #include <burnish/fit/fit_notes.h>
+#include <burnish/fit/l1_polish.h>
 #include <burnish/fit/retro_reflection.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@ namespace burnish {
 namespace {
 
 constexpr double kMuchUnexplained = 0.1;  // of the light in the table
+constexpr double kVague = 0.1;            // a number's standard error, of its range or, for numbers of any size, of itself
 
 std::string percent(double share) {
     std::ostringstream text;
@@ -50,12 +52,41 @@ void add_retro_note(const TransferSamples& samples, std::vector<std::string>& no
     notes.push_back(text.str());
 }
 
+/// Numbers of lobe `n` that the table hardly tells, with what they are known to; "" if it tells all of them.
+std::string vague_numbers(const LobeMixture& mixture, const std::vector<double>& errors, size_t n) {
+    const std::vector<Unknown> list = unknowns(mixture);
+    std::ostringstream text;
+    text.precision(2);
+    for (size_t u = 0; u < list.size(); ++u) {
+        const bool of_lobe = list[u].kind == Unknown::Kind::r0 || list[u].kind == Unknown::Kind::shape;
+        if (!of_lobe || list[u].lobe != n) continue;
+        const bool ratio = list[u].kind == Unknown::Kind::shape && mixture.spaces[n].shape[list[u].shape].logarithmic;
+        const double scale = ratio ? 1 : list[u].range.max - list[u].range.min;
+        if (!(errors[u] > kVague * scale)) continue;
+        text << (text.tellp() > 0 ? ", " : "") << list[u].name(mixture);
+        if (!ratio && errors[u] < scale) text << " (" << errors[u] << ")";
+        if (ratio && errors[u] < 1) text << " (" << percent(errors[u]) << ")";
+    }
+    return text.str();
+}
+
+void add_vague_notes(const TransferSamples& samples, const LobeMixture& mixture, size_t first,
+                     std::vector<std::string>& notes) {
+    const std::vector<double> errors = standard_errors(mixture, samples, grey(samples.p));
+    for (size_t n = 0; n < mixture.lobes.size(); ++n)
+        if (const std::string vague = vague_numbers(mixture, errors, n); !vague.empty())
+            notes.push_back("lobe " + std::to_string(first + n + 1) +
+                            ": the table hardly tells these numbers (standard error): " + vague +
+                            (vague.find("r0") != std::string::npos ? "; ks r0 is better known than ks and r0" : ""));
+}
+
 }  // namespace
 
 std::vector<std::string> side_notes(const TransferSamples& samples, Side side, const SideFit& fit, size_t first) {
     std::vector<std::string> notes{choice_note(side, fit)};
     if (side == Side::reflection) add_retro_note(samples, notes);
     add_residual_note(samples, side, fit, notes);
+    add_vague_notes(samples, fit.best(), first, notes);
     if (side == Side::transmission && !fit.best().lobes.empty())
         notes.push_back(
             "lobe " + std::to_string(first + 1) +

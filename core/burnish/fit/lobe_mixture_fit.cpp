@@ -1,4 +1,5 @@
 #include <burnish/fit/diffuse_mode.h>
+#include <burnish/fit/l1_polish.h>
 #include <burnish/fit/lobe_mixture_fit.h>
 #include <burnish/fit/lobe_search.h>
 #include <burnish/fit/table_noise.h>
@@ -11,6 +12,22 @@ namespace {
 
 constexpr size_t kSearched = 4096, kPolished = 16384;  // samples that stand for all while lobes are looked for
 constexpr int kValleys = 3;                            // starts of each new lobe
+constexpr float kVisible = 0.1f;                       // share of p
+constexpr double kRounding = 1e-5;                     // errors below this share of the light are those of floats
+
+/// Whether each lobe is a visible part of the model on more samples than it has numbers: no lobe for one bright reading.
+bool is_borne_out(const LobeMixture& mixture, const TransferSamples& samples) {
+    const std::vector<float> whole = mixture_transfer(mixture, samples);
+    for (size_t n = 0; n < mixture.lobes.size(); ++n) {
+        LobeMixture others = mixture;
+        others.lobes[n].strength = 0;
+        const std::vector<float> rest = mixture_transfer(others, samples);
+        int seen = 0;
+        for (size_t j = 0; j < whole.size(); ++j) seen += whole[j] - rest[j] > kVisible * whole[j];
+        if (seen <= mixture.spaces[n].parameters()) return false;
+    }
+    return true;
+}
 
 class Growth {
 public:
@@ -41,15 +58,15 @@ public:
     /// `mixture` and one more lobe.
     LobeMixture with_another(const LobeMixture& mixture) const {
         LobeMixture best;
-        best.error = std::numeric_limits<double>::infinity();
         const LobeSpace space = lobe_space(m_model, m_side, static_cast<int>(mixture.lobes.size()) + 1, m_round, m_bounds);
         for (const FoundLobe& found : search_lobe(space, m_searched, left_over(mixture, m_searched), kValleys, m_progress)) {
             LobeMixture next = mixture;
             next.lobes.push_back(found.lobe);
             next.spaces.push_back(space);
             next = polished(std::move(next), m_polished, grey(m_polished.p), m_progress);
-            if (next.error < best.error) best = std::move(next);
+            if (best.lobes.empty() || better(next, best)) best = std::move(next);
         }
+        if (best.lobes.empty()) return mixture;
         if (best.lobes.size() > 1) best = alternated(std::move(best));
         return polished(std::move(best), m_all, grey(m_all.p), m_progress);
     }
@@ -65,9 +82,15 @@ private:
             if (found.empty()) continue;
             others.lobes[n] = found.front().lobe;
             others = polished(std::move(others), m_polished, grey(m_polished.p), m_progress);
-            if (others.error < best.error) best = std::move(others);
+            if (better(others, best)) best = std::move(others);
         }
         return best;
+    }
+
+    /// Of less error, among mixtures that the table bears out.
+    bool better(const LobeMixture& one, const LobeMixture& other) const {
+        const bool borne = is_borne_out(one, m_all), other_borne = is_borne_out(other, m_all);
+        return borne != other_borne ? borne : one.error < other.error;
     }
 
     /// What the mixture leaves of p; not below 0, else a lobe that fills a gap would cost more than it gains elsewhere.
@@ -94,6 +117,14 @@ double effective_count(const TransferSamples& samples) {
     return squares > 0 ? 1 / squares : 0;
 }
 
+/// Mean p, which errors are shares of.
+double light(const TransferSamples& samples) {
+    const std::vector<float> p = grey(samples.p);
+    double sum = 0;
+    for (size_t j = 0; j < p.size(); ++j) sum += static_cast<double>(samples.weight[j]) * p[j];
+    return sum;
+}
+
 bool pays(const LobeMixture& fewer, const LobeMixture& more, double count) {
     const int added = more.parameters() - fewer.parameters();
     const double of_noise = 0.5 * std::log(count) / count;  // Schwarz' rule for errors of Laplace's distribution
@@ -101,11 +132,26 @@ bool pays(const LobeMixture& fewer, const LobeMixture& more, double count) {
 }
 
 /// The largest number of lobes that pays over the last one that did.
-size_t needed_lobes(const std::vector<LobeMixture>& by_lobes, double count) {
+size_t needed_lobes(const std::vector<LobeMixture>& by_lobes, const TransferSamples& samples) {
+    const double count = effective_count(samples);
     size_t chosen = 0;
     for (size_t k = 1; k < by_lobes.size(); ++k)
-        if (pays(by_lobes[chosen], by_lobes[k], count)) chosen = k;
+        if (pays(by_lobes[chosen], by_lobes[k], count) && is_borne_out(by_lobes[k], samples)) chosen = k;
     return chosen;
+}
+
+/// Whether bounds speak of one lobe, whose number then has to stay.
+bool numbered(const ParameterBounds& bounds) {
+    return std::ranges::any_of(bounds, [](const auto& entry) { return entry.first.find('.') != std::string::npos; });
+}
+
+/// The strongest first.
+void sort_lobes(LobeMixture& mixture) {
+    const auto facing = [](const LobeParameters& lobe) {
+        const bool schlick = lobe.fresnel.kind == FresnelKind::schlick;
+        return lobe.strength * (schlick && lobe.side == Side::reflection ? lobe.fresnel.eta.x : 1);
+    };
+    std::ranges::stable_sort(mixture.lobes, std::greater{}, facing);
 }
 
 }  // namespace
@@ -115,8 +161,13 @@ SideFit fit_side(const TransferSamples& samples, Side side, ModelId model, bool 
     const Growth growth(samples, side, model, round, settings, progress);
     SideFit fit;
     fit.by_lobes.push_back(growth.without_lobes());
-    for (int k = 1; k <= settings.max_lobes; ++k) fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back()));
-    fit.chosen = settings.fixed_lobes ? fit.by_lobes.size() - 1 : needed_lobes(fit.by_lobes, effective_count(samples));
+    const double enough = kRounding * light(samples);
+    for (int k = 1; k <= settings.max_lobes; ++k) {
+        if (fit.by_lobes.back().error <= enough && !settings.fixed_lobes) break;
+        fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back()));
+    }
+    fit.chosen = settings.fixed_lobes ? fit.by_lobes.size() - 1 : needed_lobes(fit.by_lobes, samples);
+    if (!numbered(settings.bounds)) sort_lobes(fit.by_lobes[fit.chosen]);
     fit.noise = noise_level(samples, mixture_transfer(fit.by_lobes.back(), samples));
     return fit;
 }

@@ -2,7 +2,8 @@
 // all polished together, until another one does not pay.
 #pragma once
 
-#include <burnish/fit/l1_polish.h>
+#include <burnish/base/progress.h>
+#include <burnish/fit/lobe_mixture.h>
 
 namespace burnish {
 
@@ -15,8 +16,9 @@ struct SideFit {
     const LobeMixture& best() const { return by_lobes[chosen]; }
 };
 
-/// Rule for one more lobe: it lowers the error by more than kGainPerNumber per number it adds, and by more than fitting that many
-/// numbers to noise would. The first is what tells a lobe from a correction to one; the second matters for small tables.
+/// Rule for one more lobe: it lowers the error by more than kGainPerNumber per number it adds and by more than fitting that many
+/// numbers to noise would, and it shows on more samples than it has numbers. The first is what tells a lobe from a correction to
+/// one; the others matter for small tables.
 inline constexpr double kGainPerNumber = 0.01;
 
 /// Grey. `round`: one width per lobe. Throws Error(cancelled), and Error(bad_argument) for bounds that cannot be.

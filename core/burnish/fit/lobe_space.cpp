@@ -122,8 +122,12 @@ int LobeSpace::parameters() const {
 LobeParameters LobeSpace::at(const std::vector<double>& units) const {
     LobeParameters lobe = base;
     for (size_t i = 0; i < shape.size(); ++i) shape[i].set(lobe, shape[i].at(units[i]));
-    if (const float own_width = prepare(lobe); own_width > 0) lobe.mx = lobe.my = own_width;
+    settle_width(lobe);
     return lobe;
+}
+
+void settle_width(LobeParameters& lobe) {
+    if (const float own_width = prepare(lobe); own_width > 0) lobe.mx = lobe.my = own_width;
 }
 
 const NumberRange* find_bounds(const ParameterBounds& bounds, int number, const std::string& name) {

@@ -35,6 +35,9 @@ struct LobeSpace {
     LobeParameters at(const std::vector<double>& units) const;
 };
 
+/// Gives a lobe whose width follows from its other numbers that width, and what its model computes once.
+void settle_width(LobeParameters& lobe);
+
 /// Of the `number`-th lobe (1 is the first) on a side of the surface. Round lobes have one width, "m", unless bounds name "mx" or "my".
 /// Throws Error(bad_argument) for bounds of parameters the model does not have, or outside what it allows.
 LobeSpace lobe_space(ModelId model, Side side, int number, bool round, const ParameterBounds& bounds);

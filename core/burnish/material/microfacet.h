@@ -27,6 +27,9 @@ struct HalfVector {
     }
 };
 
+/// The one width of a model that is always round: as large a lobe as the two widths ask for.
+inline float round_width(float mx, float my) { return std::sqrt(std::max(mx, kMinWidth) * std::max(my, kMinWidth)); }
+
 inline Vec3f reflect(const Vec3f& wo, const Vec3f& wm) { return wm * (2 * wo.dot(wm)) - wo; }
 
 /// Beckmann's normals: slopes are Gaussian, of RMS mx / sqrt(2) along t and my / sqrt(2) along b.

@@ -112,6 +112,10 @@ Color3f disc_mean(const LobeType& lobe, const ShadingPoint& point, const LocalDi
     return mean_of_taps(lobe.with_widths(mx, my), point, disc, kManyDiscTaps);
 }
 
+/// Whether nothing of a lobe lies beyond the border of its slopes: so are the ones about half vectors, which kernels are compiled for.
+template <class LobeType>
+inline constexpr bool kEndsAtItsBorder = !std::is_same_v<LobeType, Lobe<AnyModel>>;
+
 /// Reflected radiance of the discs, without point.scale; `lobe` has the point's widths.
 template <class LobeType>
 Color3f disc_light(const LobeType& lobe, std::span<const BrightDisc> discs, const ShadingPoint& point) {
@@ -123,7 +127,8 @@ Color3f disc_light(const LobeType& lobe, std::span<const BrightDisc> discs, cons
         // In slopes times z^2: the half vector's place, the lobe's border, and the disc's radius r |half| / z^2, |half| <= 2.
         const float z2 = half.z * half.z, x = std::fabs(half.x) * half.z, y = std::fabs(half.y) * half.z;
         const float border = lobe.border(kNothing) * z2, reach = 2 * radius;
-        if (x > border * point.mx + reach || y > border * point.my + reach) continue;
+        const bool is_beyond = x > border * point.mx + reach || y > border * point.my + reach;
+        if (kEndsAtItsBorder<LobeType> && is_beyond) continue;
         const bool small = reach < kPointReach * z2 * std::min(point.mx, point.my) || std::max(x, y) > kPointDistance * reach;
         const float cos_i = wi.z * lobe.side_sign;
         if (small && cos_i > radius && point.ng.dot(wi) * lobe.side_sign > radius) {

@@ -25,9 +25,7 @@ struct GonioGrid {
 };
 
 /// Walkthrough, fig. 3.11, 3.14 and 3.17.
-inline GonioGrid aluminum_grid(float step_deg) {
-    return {{0, 5, 20, 35, 50, 65}, {0, 15, 30, 45, 60, 75, 90}, step_deg};
-}
+inline GonioGrid aluminum_grid(float step_deg) { return {{0, 5, 20, 35, 50, 65}, {0, 15, 30, 45, 60, 75, 90}, step_deg}; }
 inline GonioGrid foil_grid(float step_deg) { return {{0, 5, 19, 33, 47, 61, 75}, {0}, step_deg, true}; }
 
 inline Vec3f direction(float theta_deg, float phi_deg) {
@@ -45,7 +43,8 @@ inline Color3f material_f(const Material& material, const Vec3f& wo, const Vec3f
     return f;
 }
 
-inline std::vector<BrdfSample> measure(const Material& material, const GonioGrid& grid, const Faults& faults, unsigned seed = 1) {
+inline std::vector<BrdfSample> measure(const Material& material, const GonioGrid& grid, const Faults& faults,
+                                       unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<float> normal;
     std::vector<BrdfSample> samples;
@@ -55,7 +54,8 @@ inline std::vector<BrdfSample> measure(const Material& material, const GonioGrid
         sample.f = material_f(material, sample.wo, sample.wi);
         for (int c = 0; c < 3; ++c)
             sample.f[c] = std::max(0.0f, sample.f[c] * (1 + faults.ratio * normal(random)) + faults.floor * normal(random));
-        if (faults.shadow_deg > 0 && std::abs(incident.dot(outgoing)) > std::cos(faults.shadow_deg * kPi / 180)) sample.f = Color3f(0);
+        if (faults.shadow_deg > 0 && std::abs(incident.dot(outgoing)) > std::cos(faults.shadow_deg * kPi / 180))
+            sample.f = Color3f(0);
         samples.push_back(sample);
     };
     for (const float phi_i : grid.phi_i_deg)
@@ -66,7 +66,8 @@ inline std::vector<BrdfSample> measure(const Material& material, const GonioGrid
 }
 
 /// Noise of the same size in all channels, as one sensor behind no filter has.
-inline std::vector<BrdfSample> measure_grey(const Material& material, const GonioGrid& grid, const Faults& faults, unsigned seed = 1) {
+inline std::vector<BrdfSample> measure_grey(const Material& material, const GonioGrid& grid, const Faults& faults,
+                                            unsigned seed = 1) {
     std::vector<BrdfSample> samples = measure(material, grid, faults, seed);
     for (BrdfSample& sample : samples) sample.f = Color3f(sample.f.x);
     return samples;
@@ -101,14 +102,15 @@ inline std::vector<KnownMaterial> published_materials(float step_deg) {
         return material;
     };
     const GonioGrid aluminum = aluminum_grid(step_deg), foil = foil_grid(step_deg);
-    return {{"scattergloss, one lobe", aluminum, made(0.003f, {kurt_lobe(0.9f, 0.11f, 0.072f, 0.89f, 0.43f)})},
-            {"scattergloss, two lobes", aluminum,
-             made(0.003f, {kurt_lobe(0.9f, 0.11f, 0.07f, 0.87f, 0.45f), kurt_lobe(0.12f, 0.25f, 0.17f, 0.89f, 0.6f)})},
-            {"white foil", foil,
-             made(0.76f, {kurt_lobe(0.78f, 0.124f, 0.136f, 0.029f, 0.5f), through(kurt_lobe(0.67f, 0.25f, 0.17f, 0.75f, 0.6f))})},
-            {"miro, one lobe", aluminum, made(0.003f, {kurt_lobe(0.98f, 0.0068f, 0.0297f, 0.84f, 0.49f)})},
-            {"miro, two lobes", aluminum,
-             made(0.003f, {kurt_lobe(0.57f, 0.0046f, 0.0267f, 0.94f, 0.5f), kurt_lobe(0.54f, 0.013f, 0.1199f, 0.84f, 0.38f)})}};
+    return {
+        {"scattergloss, one lobe", aluminum, made(0.003f, {kurt_lobe(0.9f, 0.11f, 0.072f, 0.89f, 0.43f)})},
+        {"scattergloss, two lobes", aluminum,
+         made(0.003f, {kurt_lobe(0.9f, 0.11f, 0.07f, 0.87f, 0.45f), kurt_lobe(0.12f, 0.25f, 0.17f, 0.89f, 0.6f)})},
+        {"white foil", foil,
+         made(0.76f, {kurt_lobe(0.78f, 0.124f, 0.136f, 0.029f, 0.5f), through(kurt_lobe(0.67f, 0.25f, 0.17f, 0.75f, 0.6f))})},
+        {"miro, one lobe", aluminum, made(0.003f, {kurt_lobe(0.98f, 0.0068f, 0.0297f, 0.84f, 0.49f)})},
+        {"miro, two lobes", aluminum,
+         made(0.003f, {kurt_lobe(0.57f, 0.0046f, 0.0267f, 0.94f, 0.5f), kurt_lobe(0.54f, 0.013f, 0.1199f, 0.84f, 0.38f)})}};
 }
 
 }  // namespace burnish::testing

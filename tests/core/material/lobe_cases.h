@@ -46,12 +46,26 @@ inline std::vector<LobeParameters> lobe_grid(std::initializer_list<Side> sides) 
     return grid;
 }
 
+inline double side_sign(const LobeParameters& lobe) { return lobe.side == Side::transmission ? -1 : 1; }
+
+/// Brute-force integral of f(wi) dwi over what a chart holds, steps x steps midpoints.
+template <class Chart, class F>
+double integral(const Chart& chart, F f, int steps = 512) {
+    double sum = 0, solid_angle = 0;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            const Vec3f wi = chart.direction({(i + 0.5) / steps, (j + 0.5) / steps}, solid_angle);
+            if (solid_angle > 0) sum += solid_angle * f(wi);
+        }
+    return sum / steps / steps;
+}
+
 /// Unit square <-> directions wi that reflect wo off a microfacet: slopes (mx tan, my tan) of pi (a - 1/2). Built on geometry
 /// alone, so it is independent of the models' own sampling; it resolves narrow and wide lobes alike. All in double.
 class HalfVectorChart {
 public:
-    HalfVectorChart(const LobeParameters& lobe, const Vec3f& wo)
-        : m_mx(lobe.mx), m_my(lobe.my), m_side(lobe.side == Side::transmission ? -1 : 1), m_wo(wo) {}
+    HalfVectorChart(const LobeParameters& lobe, const Vec3f& wo, double scale = 1)
+        : m_mx(scale * lobe.mx), m_my(scale * lobe.my), m_side(side_sign(lobe)), m_wo(wo) {}
 
     /// wi and its solid angle per unit area of the square; 0 where the microfacet faces away from wo.
     Vec3f direction(const SquarePoint& s, double& solid_angle) const {
@@ -69,21 +83,60 @@ public:
         return SquarePoint{0.5 + std::atan(h.x / h.z / m_mx) / M_PI, 0.5 + std::atan(h.y / h.z / m_my) / M_PI};
     }
 
-    /// Brute-force integral of f(wi) dwi over the lobe's side, steps x steps midpoints.
-    template <class F>
-    double integral(F f, int steps = 512) const {
-        double sum = 0, solid_angle = 0;
-        for (int i = 0; i < steps; ++i)
-            for (int j = 0; j < steps; ++j) {
-                const Vec3f wi = direction({(i + 0.5) / steps, (j + 0.5) / steps}, solid_angle);
-                if (solid_angle > 0) sum += solid_angle * f(wi);
-            }
-        return sum / steps / steps;
-    }
-
 private:
     double m_mx, m_my, m_side;
     Imath::V3d m_wo;
+};
+
+/// The same for lobes that are round about the mirror direction: slopes against it, over the hemisphere that it looks into.
+class MirrorChart {
+public:
+    MirrorChart(const LobeParameters& lobe, const Vec3f& wo, double width)
+        : m_frame(Frame::around({-wo.x, -wo.y, wo.z})), m_width(width), m_side(side_sign(lobe)) {}
+
+    Vec3f direction(const SquarePoint& s, double& solid_angle) const {
+        const double ta = std::tan(M_PI * (s.a - 0.5)), tb = std::tan(M_PI * (s.b - 0.5));
+        const Imath::V3d slope(m_width * ta, m_width * tb, 1), w = slope / slope.length();
+        solid_angle = w.z * w.z * w.z * m_width * m_width * M_PI * M_PI * (1 + ta * ta) * (1 + tb * tb);
+        const Vec3f wi = m_frame.to_world(Vec3f(w));
+        return {wi.x, wi.y, wi.z * static_cast<float>(m_side)};
+    }
+
+    std::optional<SquarePoint> square(const Vec3f& wi) const {
+        const Vec3f w = m_frame.to_local({wi.x, wi.y, wi.z * static_cast<float>(m_side)});
+        if (wi.z * m_side <= kMinCosine || w.z <= 0) return std::nullopt;
+        return SquarePoint{0.5 + std::atan(w.x / w.z / m_width) / M_PI, 0.5 + std::atan(w.y / w.z / m_width) / M_PI};
+    }
+
+private:
+    Frame m_frame;
+    double m_width, m_side;
+};
+
+/// tan(theta) / m that holds all but 1 / e of the slopes, 1 for Beckmann's: what the charts scale with.
+inline double slope_scale(const LobeParameters& lobe) {
+    return visit_lobe(lobe, [](const auto& f) { return f.border(std::exp(-1.0f)); });
+}
+
+/// The chart that resolves a lobe at all views: about the half vector, or about the mirror direction where it is round there.
+class LobeChart {
+public:
+    LobeChart(const LobeParameters& lobe, const Vec3f& wo)
+        : m_is_about_mirror(lobe.model == ModelId::phong || lobe.model == ModelId::lewis || lobe.model == ModelId::lafortune),
+          m_half(lobe, wo, slope_scale(lobe)),
+          m_mirror(lobe, wo, 2 * slope_scale(lobe) * lobe.mx) {}
+
+    Vec3f direction(const SquarePoint& s, double& solid_angle) const {
+        return m_is_about_mirror ? m_mirror.direction(s, solid_angle) : m_half.direction(s, solid_angle);
+    }
+    std::optional<SquarePoint> square(const Vec3f& wi) const {
+        return m_is_about_mirror ? m_mirror.square(wi) : m_half.square(wi);
+    }
+
+private:
+    bool m_is_about_mirror;
+    HalfVectorChart m_half;
+    MirrorChart m_mirror;
 };
 
 }  // namespace burnish

@@ -2,56 +2,21 @@
 #include <burnish/material/albedo.h>
 #include <core/data.h>
 #include <core/material/lobe_cases.h>
+#include <core/material/textbook.h>
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 namespace burnish {
 
 namespace {
 
-struct Angles {
-    double cos_theta, tan_theta, cos_phi2, sin_phi2;
-    explicit Angles(const Imath::V3d& w) : cos_theta(w.z) {
-        const double s2 = w.x * w.x + w.y * w.y;
-        tan_theta = std::sqrt(s2) / w.z;
-        cos_phi2 = s2 > 0 ? w.x * w.x / s2 : 1;
-        sin_phi2 = 1 - cos_phi2;
-    }
-    /// Projected width along the azimuth.
-    double alpha(const LobeParameters& p) const { return std::sqrt(cos_phi2 * p.mx * p.mx + sin_phi2 * p.my * p.my); }
-    /// tan^2 (cos^2 / mx^2 + sin^2 / my^2)
-    double exponent(const LobeParameters& p) const {
-        return tan_theta * tan_theta * (cos_phi2 / p.mx / p.mx + sin_phi2 / p.my / p.my);
-    }
-};
-
-/// Walter 2007, eq. 25 and 33, anisotropic as in Heitz 2014.
-double textbook_D(const LobeParameters& p, const Imath::V3d& h) {
-    const Angles a(h);
-    const double peak = 1 / (M_PI * p.mx * p.my * std::pow(a.cos_theta, 4));
-    if (p.model == ModelId::ggx) return peak / std::pow(1 + a.exponent(p), 2);
-    return peak * std::exp(-a.exponent(p));
-}
-
-/// Walter 2007, eq. 27 and 34.
-double textbook_G1(const LobeParameters& p, const Imath::V3d& w) {
-    const Angles angles(w);
-    const double at = angles.alpha(p) * angles.tan_theta;
-    if (p.model == ModelId::ggx) return 2 / (1 + std::sqrt(1 + at * at));
-    const double a = 1 / at;
-    return a < 1.6 ? (3.535 * a + 2.181 * a * a) / (1 + 2.276 * a + 2.577 * a * a) : 1;
-}
-
-double textbook_brdf(const LobeParameters& p, const Imath::V3d& wo, const Imath::V3d& wi) {
-    const Imath::V3d h = (wo + wi).normalized();
-    const double D = textbook_D(p, h);
-    if (p.model == ModelId::kurt) return D / (4 * wo.dot(h) * std::pow(wo.z * wi.z, double(p.extra[0])));
-    return D * textbook_G1(p, wo) * textbook_G1(p, wi) / (4 * wo.z * wi.z);
-}
-
 float G1(const LobeParameters& p, const Vec3f& w) { return p.model == ModelId::ggx ? Ggx(p).G1(w) : Beckmann(p).G1(w); }
+
+/// What a direction in float means: of length one in double, too.
+Imath::V3d unit(const Vec3f& w) { return Imath::V3d(w).normalized(); }
 
 float albedo(float alpha, float m, double theta_deg) {
     LobeParameters p = make_lobe(ModelId::kurt, m, m);
@@ -62,6 +27,7 @@ float albedo(float alpha, float m, double theta_deg) {
 }  // namespace
 
 TEST(Equations, EvalIsThePapersForm) {
+    std::set<ModelId> compared;
     for (const LobeParameters& lobe : lobe_grid({Side::reflection}))
         visit_lobe(lobe, [&](const auto& f) {
             for (const double theta_deg : {0.0, 25.0, 60.0, 85.0})
@@ -69,11 +35,63 @@ TEST(Equations, EvalIsThePapersForm) {
                     for (const double turn_deg : {0.0, 50.0, 90.0}) {  // off the mirror direction by about `offset` widths
                         const double away_deg = offset * lobe.mx * 57, t = std::min(89.0, theta_deg + away_deg);
                         const Vec3f wo = direction_deg(theta_deg, turn_deg), wi = direction_deg(t, turn_deg + 180 + away_deg);
-                        const double expected = textbook_brdf(lobe, Imath::V3d(wo), Imath::V3d(wi));
-                        EXPECT_NEAR(f.eval(wo, wi).x, expected, 2e-3 * expected + 1e-6)
+                        const auto expected = textbook::brdf(lobe, unit(wo), unit(wi));
+                        if (!expected) continue;
+                        compared.insert(lobe.model);
+                        EXPECT_NEAR(f.eval(wo, wi).x, *expected, 2e-3 * *expected + 1e-6)
                             << label(lobe, theta_deg) << " offset " << offset;
                     }
         });
+    EXPECT_EQ(compared.size(), 12u);
+}
+
+TEST(Equations, LafortuneTurnsItsAxisAsPrinted) {
+    for (const auto& [cxy, cz] : {std::pair(-0.579f, 0.574f), {-0.6f, 0.5f}, {-0.5f, 0.6f}, {0.7f, 0.7f}, {-0.7f, 1e-6f}})
+        for (const float m : {0.03f, 0.2f, 0.6f}) {
+            LobeParameters lobe = make_lobe(ModelId::lafortune, m, m);
+            lobe.extra = {cxy, cz};
+            for (const double theta_deg : {0.0, 20.0, 50.0, 80.0})
+                for (const double azimuth_deg : {0.0, 170.0, 180.0}) {
+                    const Vec3f wo = direction_deg(theta_deg, 30), wi = direction_deg(theta_deg + 5, 30 + azimuth_deg);
+                    const double expected = *textbook::brdf(lobe, unit(wo), unit(wi));
+                    EXPECT_NEAR(visit_lobe(lobe, [&](const auto& f) { return f.eval(wo, wi).x; }), expected,
+                                2e-3 * expected + 1e-6)
+                        << label(lobe, theta_deg) << " cxy " << cxy << " cz " << cz;
+                }
+        }
+}
+
+TEST(Equations, AbcIsThePapersFormAtItsOwnWidth) {
+    for (const float B : {5.0f, 300.0f, 1e5f})
+        for (const float C : {0.02f, 0.9999999f, 1.0f, 1.5f, 2.7f}) {
+            LobeParameters lobe = make_lobe(ModelId::abc, 0.1f, 0.1f);
+            lobe.extra = {B, C};
+            lobe.mx = lobe.my = prepare(lobe);
+            for (const double theta_deg : {0.0, 40.0, 80.0})
+                for (const double away_deg : {0.0, 1.0, 30.0, 80.0}) {
+                    const Vec3f wo = direction_deg(theta_deg, 20), wi = direction_deg(theta_deg, 200 + away_deg);
+                    const Imath::V3d o = unit(wo), i = unit(wi), h = (o + i).normalized();
+                    const double expected = textbook::abc_D(B, C, h) * textbook::groove_G(o, i, h) / (4 * o.z * i.z);
+                    EXPECT_NEAR(visit_lobe(lobe, [&](const auto& f) { return f.eval(wo, wi).x; }), expected, 1e-3 * expected)
+                        << "B " << B << " C " << C << " theta " << theta_deg << " away " << away_deg;
+                }
+        }
+}
+
+TEST(Equations, AbcStretchedToAnotherWidthHasItsSlopesStretched) {
+    LobeParameters own = make_lobe(ModelId::abc, 0.1f, 0.1f);
+    own.mx = own.my = prepare(own);
+    LobeParameters wide = own;
+    wide.mx = 2 * own.mx, wide.my = 3 * own.my;
+    for (const float x : {0.0f, 0.02f, 0.3f})
+        for (const float y : {0.0f, 0.05f}) {
+            const auto slope_density = [&](const LobeParameters& lobe, float sx, float sy) {
+                const Vec3f wm = Vec3f(sx, sy, 1).normalized();
+                return visit_lobe(lobe, [&](const auto& f) { return f.D(wm) * std::pow(wm.z, 4.0f); });
+            };
+            const float expected = slope_density(own, x, y) / 6;
+            EXPECT_NEAR(slope_density(wide, 2 * x, 3 * y), expected, 1e-5f * expected) << x << " " << y;
+        }
 }
 
 TEST(Equations, MasksAsManyMicrofacetsAsTurnAway) {
@@ -85,7 +103,8 @@ TEST(Equations, MasksAsManyMicrofacetsAsTurnAway) {
                     const Vec3f wo = direction_deg(theta_deg, 30);
                     const HalfVectorChart chart(p, wo);
                     const double seen = visit_lobe(p, [&](const auto& f) {  // integral of D (wo.wm)+ dwm, dwi = 4 (wo.wm) dwm
-                        return chart.integral(
+                        return integral(
+                            chart,
                             [&](const Vec3f& wi) {
                                 const Vec3f wm = HalfVector(wo, wi).wm;
                                 return f.model.D(wm.z > 0 ? wm : -wm) / 4;
