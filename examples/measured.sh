@@ -6,6 +6,6 @@ cd "${1:-demo}"
 
 burnish preview merl:brass -o brass.png
 burnish tabulate merl:gold-paint -o gold-paint.binary              # stands for a table of your own
-burnish composite shot.exr --env sky.hdr --material gold-paint.binary -o measured.exr
+burnish composite shot.exr --env sky.exr --up z --material gold-paint.binary -o measured.exr
 burnish fit gold-paint.binary -o gold-paint.json --plots gold-paint
-burnish composite shot.exr --env sky.hdr --material gold-paint.json -o fitted.exr
+burnish composite shot.exr --env sky.exr --up z --material gold-paint.json -o fitted.exr
