@@ -21,5 +21,6 @@ Run add_demo(CLI::App& app);
 Run add_bake(CLI::App& app);
 Run add_fit(CLI::App& app);
 Run add_tabulate(CLI::App& app);
+Run add_preview(CLI::App& app);
 
 }  // namespace burnish::cli

@@ -227,6 +227,66 @@ Raises
 SizeMismatch
     The shape is another one.)";
 
+inline constexpr const char* Measured =
+    R"(A measured reflectance, from MERL's .binary, Cornell's .brdf, ALTA's .alta and .dat, or burnish's own text.
+
+Parameters
+----------
+path : str or os.PathLike
+    The file.
+
+Raises
+------
+ReadFailed
+    The file is absent, or no measurement.)";
+
+inline constexpr const char* Measured_eval = R"(The reflectance f between the measured directions, without the cosine.
+
+Parameters
+----------
+wo, wi : ndarray, shape (n, 3)
+    Unit directions to the viewer and to the light; wi below the surface: light that comes through.
+
+Returns
+-------
+ndarray, shape (n, 3), float32
+    1/sr, per colour channel; 0 below the surface unless it transmits.
+
+Raises
+------
+SizeMismatch
+    The shapes are other ones.)";
+
+inline constexpr const char* Measured_samples = R"(What was measured.
+
+Returns
+-------
+tuple of ndarray, shape (n, 3), float32
+    wo, wi and f in 1/sr. Of MERL's tables every eighth cell.)";
+
+inline constexpr const char* Measured_info = R"(What the measurement holds.
+
+Returns
+-------
+dict
+    "file"; "kind"; "merl_name", its name in MERL's database where it is one of those files, untouched; "isotropic";
+    "transmits"; "samples", how many are valid; "theta_i_deg", least and largest; and of the material made of it "kd",
+    "width" and "albedo" from 45 degrees.)";
+
+inline constexpr const char* Measured_write_merl = R"(Write it as a MERL table; one that is a MERL table keeps its bytes.
+
+Parameters
+----------
+path : str or os.PathLike
+    The file, which appears whole or not at all.
+
+Raises
+------
+BadArgument
+    It is anisotropic.
+WriteFailed
+    The file cannot be written.)";
+
 inline constexpr const char* LightBandwidth = R"(How fast distant light varies with direction, found by wavelets.
 
 Parameters

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_core, module) {
     bind_errors(module);
     bind_tables(module);
     bind_material(module);
+    bind_measured(module);
     bind_light(module);
     bind_bandwidth(module);
     bind_job(module);

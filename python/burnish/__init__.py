@@ -14,11 +14,11 @@ from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
+from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._fitting import fit
-from ._tables import models, presets, roles, settings, shot_schema
+from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
     BadArgument,
     Cancelled,
@@ -45,6 +45,7 @@ __all__ = [
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
+    "Measured",
     "MissingChannel",
     "ReadFailed",
     "SizeMismatch",
@@ -54,9 +55,11 @@ __all__ = [
     "composite",
     "fit",
     "info",
+    "library",
     "local_bandwidth",
     "models",
     "presets",
+    "read_measured",
     "roles",
     "run",
     "settings",
@@ -214,6 +217,27 @@ def info(path: _Path) -> dict[str, _Any]:
         The file is absent, corrupt, deep or no EXR.
     """
     return _core.info(path)
+
+
+def read_measured(path: _Path) -> Measured:
+    """Read a measured reflectance.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        MERL's .binary, Cornell's .brdf, ALTA's .alta or .dat, or a text that begins with "# burnish gonio 1".
+
+    Returns
+    -------
+    Measured
+        It can be evaluated; as a material it is ``{"model": "table", "table": path}``, or its path.
+
+    Raises
+    ------
+    ReadFailed
+        The file is absent, or no measurement.
+    """
+    return Measured(path)
 
 
 def compare(a: _Array, b: _Array, mask: _Array | None = None) -> dict[str, _Any]:

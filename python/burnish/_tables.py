@@ -1,4 +1,4 @@
-"""What burnish knows by name: settings, roles, models, presets, and the schema of the shot file."""
+"""What burnish knows by name: settings, roles, models, materials, and the schema of the shot file."""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ def models() -> dict[str, Any]:
     Returns
     -------
     dict
-        Model name -> {"summary", "source", "reciprocal", "parameters": name -> {"default", "min", "max", "help"}}.
+        Model name -> {"summary", "source", "reciprocal", "anisotropic", "own_width", "parameters": name -> {"default", "min", "max",
+        "per_channel", "help"}}. own_width: its width follows from its parameters, and mx, my stretch it.
 
     Raises
     ------
@@ -69,6 +70,22 @@ def presets() -> dict[str, Any]:
         Only when there is no memory for the answer.
     """
     return _core.presets()
+
+
+def library() -> dict[str, Any]:
+    """The published fits of measured materials, each usable by its name wherever a material is.
+
+    Returns
+    -------
+    dict
+        Name, such as "merl:brass" -> material, as the shot file spells it.
+
+    Raises
+    ------
+    MemoryError
+        Only when there is no memory for the answer.
+    """
+    return _core.library()
 
 
 def shot_schema() -> dict[str, Any]:

@@ -12,19 +12,16 @@ namespace {
 
 constexpr size_t kSearched = 4096, kPolished = 16384;  // samples that stand for all while lobes are looked for
 constexpr int kValleys = 3;                            // starts of each new lobe
-constexpr float kVisible = 0.1f;                       // share of p
+constexpr double kMissed = 0.01;                       // share of the samples
 constexpr double kRounding = 1e-5;                     // errors below this share of the light are those of floats
 
-/// Whether each lobe is a visible part of the model on more samples than it has numbers: no lobe for one bright reading.
-bool is_borne_out(const LobeMixture& mixture, const TransferSamples& samples) {
-    const std::vector<float> whole = mixture_transfer(mixture, samples);
+bool all_borne_out(const LobeMixture& mixture, const TransferSamples& samples) {
+    const std::vector<float> measured = grey(samples.p);
     for (size_t n = 0; n < mixture.lobes.size(); ++n) {
-        LobeMixture others = mixture;
-        others.lobes[n].strength = 0;
-        const std::vector<float> rest = mixture_transfer(others, samples);
-        int seen = 0;
-        for (size_t j = 0; j < whole.size(); ++j) seen += whole[j] - rest[j] > kVisible * whole[j];
-        if (seen <= mixture.spaces[n].parameters()) return false;
+        LobeMixture alone = mixture;
+        alone.kd = 0;
+        alone.lobes = {mixture.lobes[n]};
+        if (!is_borne_out(mixture_transfer(alone, samples), measured, mixture.spaces[n].parameters())) return false;
     }
     return true;
 }
@@ -66,7 +63,7 @@ public:
             next = polished(std::move(next), m_polished, grey(m_polished.p), m_progress);
             if (best.lobes.empty() || better(next, best)) best = std::move(next);
         }
-        if (best.lobes.empty()) return mixture;
+        if (best.lobes.empty()) return mixture;  // nothing that the table bears out
         if (best.lobes.size() > 1) best = alternated(std::move(best));
         return polished(std::move(best), m_all, grey(m_all.p), m_progress);
     }
@@ -89,7 +86,7 @@ private:
 
     /// Of less error, among mixtures that the table bears out.
     bool better(const LobeMixture& one, const LobeMixture& other) const {
-        const bool borne = is_borne_out(one, m_all), other_borne = is_borne_out(other, m_all);
+        const bool borne = all_borne_out(one, m_all), other_borne = all_borne_out(other, m_all);
         return borne != other_borne ? borne : one.error < other.error;
     }
 
@@ -125,18 +122,39 @@ double light(const TransferSamples& samples) {
     return sum;
 }
 
-bool pays(const LobeMixture& fewer, const LobeMixture& more, double count) {
+/// Each sample's share of the error.
+std::vector<double> errors_of(const LobeMixture& mixture, const TransferSamples& samples) {
+    const std::vector<float> measured = grey(samples.p), model = mixture_transfer(mixture, samples);
+    std::vector<double> errors(measured.size());
+    for (size_t j = 0; j < errors.size(); ++j) errors[j] = samples.weight[j] * std::abs(measured[j] - model[j]);
+    return errors;
+}
+
+/// By what share the error falls from `fewer` to `more`, over samples where `fewer` errs by `limit` at most.
+double gain(const std::vector<double>& fewer, const std::vector<double>& more, double limit) {
+    double before = 0, after = 0;
+    for (size_t j = 0; j < fewer.size(); ++j)
+        if (fewer[j] <= limit) before += fewer[j], after += more[j];
+    return before > 0 ? 1 - after / before : 0;
+}
+
+bool pays(const LobeMixture& fewer, const LobeMixture& more, const TransferSamples& samples) {
+    const std::vector<double> before = errors_of(fewer, samples), after = errors_of(more, samples);
+    std::vector<double> sorted = before;
+    const auto most = sorted.end() - 1 - static_cast<std::ptrdiff_t>(kMissed * static_cast<double>(sorted.size()));
+    std::ranges::nth_element(sorted, most);
+    const double count = effective_count(samples),
+                 of_noise = 0.5 * std::log(count) / count;  // Schwarz' rule for Laplace's errors
     const int added = more.parameters() - fewer.parameters();
-    const double of_noise = 0.5 * std::log(count) / count;  // Schwarz' rule for errors of Laplace's distribution
-    return fewer.error - more.error > added * std::max(kGainPerNumber, of_noise) * fewer.error;
+    return std::max(gain(before, after, *std::ranges::max_element(before)), gain(before, after, *most)) >
+           added * std::max(kGainPerNumber, of_noise);
 }
 
 /// The largest number of lobes that pays over the last one that did.
 size_t needed_lobes(const std::vector<LobeMixture>& by_lobes, const TransferSamples& samples) {
-    const double count = effective_count(samples);
     size_t chosen = 0;
     for (size_t k = 1; k < by_lobes.size(); ++k)
-        if (pays(by_lobes[chosen], by_lobes[k], count) && is_borne_out(by_lobes[k], samples)) chosen = k;
+        if (pays(by_lobes[chosen], by_lobes[k], samples) && all_borne_out(by_lobes[k], samples)) chosen = k;
     return chosen;
 }
 

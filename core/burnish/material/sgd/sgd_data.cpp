@@ -23,32 +23,19 @@ SgdChannel channel(const std::vector<float>& extra, size_t k) {
 
 }  // namespace
 
-SgdData::SgdData(const std::vector<float>& numbers, const Color3f& channel_shares) : extra(numbers), shares(channel_shares) {
+SgdData::SgdData(const std::vector<float>& numbers) : extra(numbers) {
     for (size_t k = 0; k < 3; ++k) channels.push_back(channel(extra, k));
     const auto [lowest, highest] = std::minmax({extra[0], extra[1], extra[2]});
-    const auto density = [&](double x) {
-        double sum = 0;
-        for (int k = 0; k < 3; ++k)
-            sum += static_cast<double>(shares[k]) * channels[static_cast<size_t>(k)].density(static_cast<float>(x));
-        return sum;
-    };
-    slopes.emplace(density, static_cast<double>(lowest) * lowest, kEnd * highest);
+    slopes.emplace([&](double x) { return density(static_cast<float>(x)); }, static_cast<double>(lowest) * lowest,
+                   kEnd * highest);
     own_width = std::clamp(std::sqrt(slopes->beyond(0.5) / std::numbers::ln2_v<float>), kMinWidth, 1.0f);
 }
 
-Color3f channel_shares(const LobeParameters& lobe) {
-    constexpr float kUsual = 0.7f, kLeast = 0.01f;  // cosine at which microfacets are met; share
-    const Color3f reflected = lobe.tint * lobe.fresnel(kUsual);
-    const float sum = reflected.x + reflected.y + reflected.z;
-    return sum > 0 ? reflected * ((1 - 3 * kLeast) / sum) + Color3f(kLeast) : Color3f(1.0f / 3);
-}
-
 std::shared_ptr<const SgdData> sgd_data(const LobeParameters& lobe) {
-    const Color3f shares = channel_shares(lobe);
     const std::vector<float> numbers = lobe.extra.empty() ? default_parameters(model_info(ModelId::sgd)) : lobe.extra;
     const auto made = std::dynamic_pointer_cast<const SgdData>(lobe.data);
-    if (made && made->extra == numbers && made->shares == shares) return made;
-    return std::make_shared<SgdData>(numbers, shares);
+    if (made && made->extra == numbers) return made;
+    return std::make_shared<SgdData>(numbers);
 }
 
 }  // namespace burnish

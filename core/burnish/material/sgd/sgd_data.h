@@ -6,6 +6,7 @@
 #include <burnish/material/sgd/slope_table.h>
 #include <burnish/material/sgd/smith_table.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,17 +29,17 @@ struct SgdChannel {
 };
 
 struct SgdData final : LobeData {
-    SgdData(const std::vector<float>& extra, const Color3f& shares);
+    /// `numbers`: as in LobeParameters::extra.
+    explicit SgdData(const std::vector<float>& numbers);
 
     std::vector<float> extra;  // what this was made from
-    Color3f shares;            // of the channels in `slopes`
     std::vector<SgdChannel> channels;
-    std::optional<SlopeTable> slopes;
-    float own_width;  // of Gaussian slopes with the same median
-};
+    std::optional<SlopeTable> slopes;  // of the mean of the channels
+    float own_width;                   // of Gaussian slopes with the same median
 
-/// Shares of the channels in what a lobe reflects, each at least 1 %: for patterns and sampling.
-Color3f channel_shares(const LobeParameters& lobe);
+    /// Density of the squared slope x, mean of the channels.
+    float density(float x) const { return (channels[0].density(x) + channels[1].density(x) + channels[2].density(x)) / 3; }
+};
 
 /// The lobe's own data if it was made from its numbers, else new ones.
 std::shared_ptr<const SgdData> sgd_data(const LobeParameters& lobe);
