@@ -16,4 +16,5 @@ PYBIND11_MODULE(_core, module) {
     bind_job(module);
     bind_fit(module);
     bind_files(module);
+    bind_preview(module);
 }
