@@ -54,8 +54,10 @@ void print(const FitComparison& comparison) {
     for (const FitResult& fit : comparison.tried) {
         const auto& lobes = fit.material.lobes;
         const std::string model = lobes.empty() ? "diffuse" : std::string(model_info(lobes.front().model).name);
-        std::printf("%-18s %5zu %8d %12.3g %10.3g %8.2f%s\n", model.c_str(), lobes.size(), fit.parameters, fit.normalised_l2,
-                    fit.l1, fit.seconds, &fit == &comparison.best() ? "  <- taken" : "");
+        char l2[32] = "-";
+        if (fit.normalised_l2) std::snprintf(l2, sizeof l2, "%.3g", *fit.normalised_l2);
+        std::printf("%-18s %5zu %8d %12s %10.3g %8.2f%s\n", model.c_str(), lobes.size(), fit.parameters, l2, fit.l1,
+                    fit.seconds, &fit == &comparison.best() ? "  <- taken" : "");
     }
     for (const std::string& note : comparison.best().notes) std::printf("note: %s\n", note.c_str());
 }

@@ -40,8 +40,9 @@ def title_of(report):
     """Which table, which model, how far off."""
     errors = report["errors"]
     lobes_text = f"{errors['lobes']} lobe" + ("s" if errors["lobes"] != 1 else "")
-    return (f"{pathlib.Path(report['table']).name}: {errors['model']}, {lobes_text}, normalised L2 {errors['normalised_l2']:.2g}, "
-            f"L1 {errors['l1']:.2g}")
+    norms = {"normalised L2": errors["normalised_l2"], "L1": errors["l1"]}
+    told = [f"{name} {value:.2g}" for name, value in norms.items() if value is not None]
+    return f"{pathlib.Path(report['table']).name}: {errors['model']}, {', '.join([lobes_text, *told])}"
 
 
 def slices(report):
