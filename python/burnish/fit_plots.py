@@ -41,7 +41,7 @@ def run(options):
     files = []
     for name, figure in fit_picture.figures(report):
         files.append(options.output / f"{name}.png")
-        fit_picture.save(figure, files[-1])
+        fit_picture.save(name, figure, files[-1])
     return files
 
 

@@ -4,6 +4,7 @@
 #include <burnish/fit/brdf_error.h>
 #include <burnish/fit/fit_curves.h>
 #include <burnish/fit/fit_lobes.h>
+#include <burnish/fit/lobe_mixture_fit.h>
 #include <burnish/fit/slice_fit.h>
 #include <burnish/material/library.h>
 #include <burnish/material/model.h>

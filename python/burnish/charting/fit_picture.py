@@ -6,9 +6,8 @@ import pathlib
 
 import numpy as np
 
-from .picture import DPI, FAINT, INK, SOFT, save
-
-__all__ = ["figures", "save"]
+from . import picture
+from .picture import DPI, FAINT, INK, SOFT
 
 CHANNELS = (("red", "#c0392b"), ("green", "#2e8b57"), ("blue", "#2c5fb8"))
 SLICES = {"half": r"along itself ($\theta_d$ = 0)", "difference": r"mirror reflection ($\theta_h$ = 0)"}
@@ -24,6 +23,16 @@ def figures(report):
     yield "lobes", lobes(report)
     if pathlib.Path(report["table"]).exists():
         yield "balls", balls(report)
+
+
+def save(name, figure, path):
+    """Write a PNG; balls keep all their colours."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    if name == "balls":
+        FigureCanvasAgg(figure).print_png(path)
+    else:
+        picture.save(figure, path)
 
 
 def new_figure(columns, rows, title, polar=False):
@@ -120,8 +129,8 @@ def balls(report):
     pictures = (("the table", data, scale), ("the fit", fit, scale),
                 (f"difference, {AMPLIFIED} times", np.abs(data - fit), AMPLIFIED * scale))
     figure, panels = new_figure(3, 1, title_of(report))
-    for panel, (name, picture, gain) in zip(panels[0], pictures):
-        panel.imshow(display(picture[..., :3] * gain))
+    for panel, (name, ball, gain) in zip(panels[0], pictures):
+        panel.imshow(display(ball[..., :3] * gain))
         panel.set_title(name, fontsize=12, color=INK)
         panel.axis("off")
     figure.tight_layout(rect=(0, 0, 1, 0.94))
