@@ -14,5 +14,7 @@ PYBIND11_MODULE(_core, module) {
     bind_light(module);
     bind_bandwidth(module);
     bind_job(module);
+    bind_fit(module);
     bind_files(module);
+    bind_preview(module);
 }
