@@ -13,5 +13,6 @@ void bind_light(pybind11::module_& module);
 void bind_bandwidth(pybind11::module_& module);
 void bind_job(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
+void bind_preview(pybind11::module_& module);
 
 }  // namespace burnish::python

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module) {
     bind_bandwidth(module);
     bind_job(module);
     bind_files(module);
+    bind_preview(module);
 }

@@ -56,6 +56,7 @@ __all__ = [
     "local_bandwidth",
     "models",
     "presets",
+    "preview",
     "read_measured",
     "roles",
     "run",
@@ -332,6 +333,33 @@ def read_measured(path: _Path) -> Measured:
         The file is absent, or no measurement.
     """
     return Measured(path)
+
+
+def preview(material: str | dict, environment: str | _Path | None = None, size: int = 256) -> _Array:
+    """A ball of a material, as `burnish preview` shows it.
+
+    Parameters
+    ----------
+    material : str or dict
+        A preset, "merl:NAME", a JSON file, or the material itself.
+    environment : str or os.PathLike, optional
+        A picture of the light from all around, Z up; by default a sky with a small sun and soft boxes.
+    size : int
+        Pixels across and down, 1 to 4096.
+
+    Returns
+    -------
+    ndarray, shape (size, size, 4), float32
+        Linear RGBA, associated alpha: 0 around the ball.
+
+    Raises
+    ------
+    BadArgument
+        The material is unknown or has a field out of range; `size` is.
+    ReadFailed
+        A file cannot be read.
+    """
+    return _core.preview(material, environment, size)
 
 
 def compare(a: _Array, b: _Array, mask: _Array | None = None) -> dict[str, _Any]:
