@@ -31,7 +31,8 @@ double boost_upper_gamma(double s, double x) {
 /// Integral of (w . m) D(m) over the normals that w sees, from its definition: slopes (s cos phi, s sin phi), midpoints.
 double projected_area(const ShiftedGamma& slopes, double theta) {
     const int radii = 3000, azimuths = 512;
-    const double low = std::log(slopes.alpha() * 1e-5), step = (std::log(7 * std::sqrt(slopes.alpha())) - low) / radii;
+    const double low = std::log(std::sqrt(slopes.shift()) * 1e-5),
+                 step = (std::log(7 * std::sqrt(slopes.decay())) - low) / radii;
     double sum = 0;
     for (int i = 0; i < radii; ++i) {
         const double s = std::exp(low + (i + 0.5) * step);

@@ -42,6 +42,19 @@ public:
         return other;
     }
 
+    /// The lobe seen through Gaussian slopes of density e^(-x^2 / variance.x - y^2 / variance.y): sharp peaks stay sharp in
+    /// stretched slopes, but not in these. Its widths are the roots of m^2 + variance.
+    Sgd blurred(const Vec2f& variance) const {
+        const float own = m_data->own_width, mx = std::hypot(m_sx * own, std::sqrt(variance.x)),
+                    my = std::hypot(m_sy * own, std::sqrt(variance.y));
+        auto data = std::make_shared<SgdData>(*m_data, 0.5f * (variance.x / (m_sx * m_sx) + variance.y / (m_sy * m_sy)));
+        data->own_width = std::sqrt(mx * my / (m_sx * m_sy));
+        Sgd other = *this;
+        other.m_data = std::move(data);
+        other.set_widths(mx, my);
+        return other;
+    }
+
     Color3f eval(const Vec3f& wo, const Vec3f& wi) const {
         if (!above_surface(wo, wi)) return Color3f(0);
         const HalfVector h(wo, wi);
