@@ -1,5 +1,6 @@
 // Fits by slices of all MERL materials, as CSV: `--set sgd` on tables synthesised from the 100 published SGD rows, `--set nbrdf` on
-// the 80 networks that stand in for the tables. Errors are those of V.5.3 (brdf_error.h); seconds are of one core.
+// the 80 networks that stand in for the tables. Errors are those of V.5.3 (brdf_error.h); seconds are of one
+// processor.
 //
 //     burnish_slice_fit_table --data FOLDER --set nbrdf --models sgd,sgd2,beckmann,ggx,abc > fits.csv     (sgd2: two lobes at most)
 #include "merl_stand_ins.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <ctime>
 
 using namespace burnish;
 
@@ -21,12 +23,16 @@ void print_fit(const std::string& material, const std::string& name, const BrdfG
     const bool two = name.ends_with("2");
     settings.model = model_by_name(two ? name.substr(0, name.size() - 1) : name);
     settings.max_lobes = two ? 2 : 1;
+    const std::clock_t start = std::clock();
     const SliceFit fit = fit_slices(grid, settings, Progress());
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const size_t lobes = fit.result.material.lobes.size();
     std::printf("%s,%s,%zu,%d,%.4e,%.4e,%.4e,%.4e,%.3f,%.5f\n", material.c_str(), name.c_str(), lobes, fit.result.parameters,
                 fit.error.overall(), fit.error.worst_channel(), fit.slices.overall(), fit.slices.worst_channel(),
                 fit.result.seconds, lobes ? fit.result.material.lobes[0].mx : 0.0f);
     std::fflush(stdout);
+    for (const std::string& note : fit.result.notes)
+        std::fprintf(stderr, "%s, %s: %s\n", material.c_str(), name.c_str(), note.c_str());
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ ChannelProblem::ChannelProblem(const BrdfGrid& grid, int channel, Weighing weigh
 
 ChannelFit ChannelProblem::fit(const ShapeFamily& family, std::span<const std::vector<double>> shapes,
                                const LinearBounds& bounds, std::vector<double>* residuals) const {
-    constexpr int kRounds = 8;
+    constexpr int kRounds = 4;
     const int lobes = static_cast<int>(shapes.size());
     const Eigen::Map<const Eigen::VectorXd> target(m_target.data(), cells());
     const Eigen::MatrixXd all = columns(family, shapes);

@@ -1,7 +1,5 @@
 #include <burnish/fit/channel_search.h>
 
-#include <burnish/material/sgd/fitted_shadowing.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -44,19 +42,28 @@ struct Scan {
 
 SearchRange range_of(const FamilyNumber& parameter) { return {parameter.min, parameter.max, parameter.logarithmic}; }
 
-/// A shape of sgd with the numbers of the fitted G1 that come nearest to Smith's.
-std::vector<double> with_smith_masking(std::vector<double> shape) {
-    const ShadowingFit fit = fit_g1(shape[0], shape[1]);
-    const double log_reach = (std::log(std::log1p(1 / fit.lambda)) - std::log(fit.c)) / fit.k;
-    shape.insert(shape.end(), {fit.lambda, std::exp(log_reach), fit.k});
-    return shape;
+/// A shape of sgd with the numbers of the fitted G1 that come nearest to Smith's, within the ranges that fits may use.
+std::vector<double> with_smith_masking(const std::vector<double>& shape) {
+    constexpr int kAngles = 40;
+    const ShapeFamily &smith = *shape_family("sgd"), &free = sgd_with_free_masking();
+    std::vector<double> theta, start = shape;
+    for (int k = 0; k < kAngles; ++k) theta.push_back((k + 0.5) * std::numbers::pi / 2 / kAngles);
+    const std::vector<double> wanted = smith.G1(shape, theta);
+    std::vector<SearchRange> ranges;
+    for (const double number : shape) ranges.push_back({number, number});
+    for (size_t i = shape.size(); i < free.parameters.size(); ++i) ranges.push_back(range_of(free.parameters[i]));
+    start.insert(start.end(), {2, 1.4, 10});
+    return least_squares(ranges, start, [&](std::span<const double> numbers, std::vector<double>& residuals) {
+        residuals = free.G1(numbers, theta);
+        for (size_t k = 0; k < wanted.size(); ++k) residuals[k] -= wanted[k];
+    });
 }
 
 }  // namespace
 
 FitGrids::FitGrids(const BrdfGrid& grid)
     : all(grid),
-      cells(grid.subset([](const BrdfGrid::Cell& c) { return c.d % 5 == 2 && c.p % 3 == 1; })),
+      cells(grid.subset([](const BrdfGrid::Cell& c) { return c.d % 5 == 2 && c.p % 9 == 4; })),
       slice_h(grid.subset([](const BrdfGrid::Cell& c) { return c.d == 0; })),
       slice_d(grid.subset([](const BrdfGrid::Cell& c) { return c.h == 0; })) {}
 

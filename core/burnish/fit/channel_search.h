@@ -12,7 +12,8 @@ namespace burnish {
 
 /// The parts of a grid that fits look at.
 struct FitGrids {
-    BrdfGrid all, cells, slice_h, slice_d;  // cells: some 15,000 of them; slice_h: theta_d near 0; slice_d: theta_h near 0
+    BrdfGrid all, cells, slice_h,
+        slice_d;  // cells: some 5,000 of them, middles of equal cells again; slice_h: theta_d near 0; slice_d: theta_h near 0
 
     explicit FitGrids(const BrdfGrid& grid);
 };

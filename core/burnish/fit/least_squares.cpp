@@ -76,8 +76,8 @@ double SearchRange::share_of(double value) const {
 }
 
 std::vector<double> least_squares(std::span<const SearchRange> ranges, std::vector<double> start, const Residuals& residuals) {
-    constexpr int kEvaluations = 200;
-    constexpr double kSettled = 1e-10, kStep = 1e-6, kFirstStep = 0.1;
+    constexpr int kIterations = 60;
+    constexpr double kLevel = 1e-6, kSettled = 1e-9, kStep = 1e-6, kFirstStep = 0.1;
     const Angles angles(ranges, start);
     Eigen::VectorXd t = angles.start();
     std::vector<double> first;
@@ -86,9 +86,9 @@ std::vector<double> least_squares(std::span<const SearchRange> ranges, std::vect
     using Differentiated = Eigen::NumericalDiff<Functor, Eigen::Central>;
     Differentiated functor(Functor{angles, residuals, static_cast<int>(first.size())}, kStep * kStep);
     Eigen::LevenbergMarquardt<Differentiated> optimiser(functor);
-    optimiser.parameters.maxfev = kEvaluations;
+    optimiser.parameters.maxfev = kIterations;
     optimiser.parameters.factor = kFirstStep;
-    optimiser.parameters.ftol = optimiser.parameters.xtol = kSettled;
+    optimiser.parameters.ftol = kLevel, optimiser.parameters.xtol = kSettled;
     optimiser.minimize(t);
     return angles.numbers(t);
 }

@@ -24,7 +24,7 @@ double sgd_D(Shape n, double theta_h) { return sgd_P22(n[0], n[1], tan2(theta_h)
 /// the power law below alpha, the exponential beyond, and the root that masking begins with at `low`.
 template <class F>
 double sgd_integral(double alpha, double p, double low, double high, const F& f) {
-    constexpr int kSteps = 96;
+    constexpr int kSteps = 64;
     const double t0 = std::log(square(alpha) + low), t1 = std::log(square(alpha) + high);
     double sum = 0;
     for (int j = 1; j <= kSteps; ++j) {

@@ -49,7 +49,7 @@ public:
     void evaluate(const ShapeFamily& family, Shape numbers, std::vector<double>& S) const;
 
 private:
-    static constexpr int kAngles = 128;  // intervals of the table of G1 over 90 degrees, cubic in between
+    static constexpr int kAngles = 64;  // intervals of the table of G1 over 90 degrees, cubic in between
 
     struct Place {
         int node;

@@ -16,8 +16,7 @@ namespace burnish {
 namespace {
 
 constexpr GridSize kTableGrid{90, 90, 36, 2};
-constexpr double kExact = 1e-4;   // errors below this are nobody's to lower
-constexpr double kOutside = 0.5;  // an error above this, of a material without a narrow peak, is worth a word
+constexpr double kExact = 1e-4;  // errors below this are nobody's to lower
 
 /// A fit of all channels at one stage, with its errors.
 struct Stage {
@@ -28,9 +27,10 @@ struct Stage {
     double total() const { return std::sqrt(error[0] * error[0] + error[1] * error[1] + error[2] * error[2]); }
 };
 
-int free_numbers(const LobeBounds& bounds, const ShapeFamily& family) {
+/// Of a lobe whose shape has `numbers` numbers; the ones beyond those of the bounds are free.
+int free_numbers(const LobeBounds& bounds, size_t numbers) {
     int count = 0;
-    for (size_t i = 0; i < family.parameters.size(); ++i) count += i >= bounds.shape.size() || !bounds.shape[i].is_fixed();
+    for (size_t i = 0; i < numbers; ++i) count += i >= bounds.shape.size() || !bounds.shape[i].is_fixed();
     for (const NumberRange& range : {bounds.linear.ks, bounds.linear.f0, bounds.linear.f1}) count += range.max > range.min;
     return count;
 }
@@ -38,14 +38,15 @@ int free_numbers(const LobeBounds& bounds, const ShapeFamily& family) {
 int Stage::numbers(const LobeBounds& bounds) const {
     int count = 0;
     for (const auto& [family, fit] : channels)
-        count +=
-            (bounds.linear.kd.max > bounds.linear.kd.min) + static_cast<int>(fit.lobes.size()) * free_numbers(bounds, *family);
+        count += (bounds.linear.kd.max > bounds.linear.kd.min) +
+                 static_cast<int>(fit.lobes.size()) * free_numbers(bounds, family->parameters.size());
     return count;
 }
 
-/// Whether more numbers are worth it.
-bool pays(double error, int numbers, double more_error, int more_numbers) {
-    return more_error * more_numbers < error * numbers;
+/// Whether a second lobe in all channels is worth its numbers: error times numbers falls, those of masking not counted.
+bool second_lobe_pays(const Stage& one, const Stage& two, const LobeBounds& bounds) {
+    const int lobe = free_numbers(bounds, bounds.shape.size()), diffuse = bounds.linear.kd.max > bounds.linear.kd.min;
+    return two.total() * (diffuse + 2 * lobe) < one.total() * (diffuse + lobe);
 }
 
 NumberRange bounded(const ParameterBounds& bounds, const std::string& name, NumberRange range) {
@@ -100,16 +101,16 @@ public:
             if (start.error[c] < better.error[c]) better.channels[c] = start.channels[c], better.error[c] = start.error[c];
         return better;
     }
-    /// Channels decide for themselves.
+    /// Channels decide for themselves: published fits have numbers of masking in any case.
     Stage with_masking(const Stage& start) const {
+        constexpr double kLower = 0.98;
         Stage result = start;
         const ShapeFamily& free = sgd_with_free_masking();
-        const int numbers = free_numbers(m_bounds, m_family) + 1, more_numbers = free_numbers(m_bounds, free) + 1;
         for_each_channel([&](int c) {
             if (start.error[c] < kExact * m_grids.all.max_albedo(c)) return;
             const ChannelFit fit = m_search[c]->with_free_masking(start.channels[c].fit);
             const double error = m_search[c]->error(free, fit);
-            if (pays(start.error[c], numbers, error, more_numbers)) result.channels[c] = {&free, fit}, result.error[c] = error;
+            if (error < kLower * start.error[c]) result.channels[c] = {&free, fit}, result.error[c] = error;
         });
         return result;
     }
@@ -118,7 +119,7 @@ public:
         const BrdfError error = brdf_error(m_grids.all, start.error);
         if (!anyway && error.overall() < kExact) return start;
         const Stage two = stage([&](int c) { return m_search[c]->with_another_lobe(start.channels[c].fit); });
-        if (anyway || pays(start.total(), start.numbers(m_bounds), two.total(), two.numbers(m_bounds))) return two;
+        if (anyway || second_lobe_pays(start, two, m_bounds)) return two;
         const int left = static_cast<int>(std::lround(100 * two.total() / start.total()));
         notes.push_back("a second lobe does not pay: it leaves " + std::to_string(left) + " % of the error");
         return start;
@@ -142,25 +143,29 @@ private:
     std::array<std::unique_ptr<ChannelSearch>, 3> m_search;
 };
 
-/// Whether most of a material's light is in no peak, so that its error tells how it looks.
-bool is_matte(const BrdfGrid& grid, int channel) {
+/// Share of what a channel shows, in the measure of the error, that the fit leaves: 1 for a black fit.
+double share_left(const BrdfGrid& grid, int channel, double error) {
     double squares = 0;
     for (size_t j = 0; j < grid.cells().size(); ++j)
         squares += grid.cells()[j].weight * grid.f(channel)[j] * grid.f(channel)[j];
-    return std::sqrt(squares) < 3 * grid.max_albedo(channel);
+    return squares > 0 ? error / std::sqrt(squares) : 0;
 }
 
-void add_notes(const BrdfGrid& grid, const Stage& best, const SliceFit& fit, std::vector<std::string>& notes) {
+void add_notes(const BrdfGrid& grid, const Stage& best, std::vector<std::string>& notes) {
+    constexpr int kOutside = 20;  // percent that a fit may leave without a word
     constexpr const char* kNames[] = {"red", "green", "blue"};
+    int worst = 0, most = 0;
+    std::string masked;
     for (int c = 0; c < 3; ++c) {
-        if (fit.error.channel(c) > kOutside && is_matte(grid, c))
-            notes.push_back(std::string("the ") + kNames[c] + " channel is not described by " +
-                            std::string(best.channels[0].family->model) +
-                            ": what it reflects may lie outside of microfacet models");
-        if (best.channels[c].family != best.channels[0].family || best.channels[c].family == &sgd_with_free_masking())
-            notes.push_back(std::string("the ") + kNames[c] +
-                            " channel is masked by numbers of its own (lambda, c, k), not by Smith's");
+        const int left = static_cast<int>(std::lround(100 * share_left(grid, c, best.error[c])));
+        if (left > most) worst = c, most = left;
+        if (best.channels[c].family == &sgd_with_free_masking())
+            masked += (masked.empty() ? "" : ", ") + std::string(kNames[c]);
     }
+    if (most > kOutside)
+        notes.push_back(std::string(best.channels[0].family->model) + " leaves " + std::to_string(most) + " % of the " +
+                        kNames[worst] + " channel unexplained: part of what it shows is outside the model");
+    if (!masked.empty()) notes.push_back("masked by numbers of their own (lambda, c, k), not by Smith's: " + masked);
 }
 
 }  // namespace
@@ -189,7 +194,7 @@ SliceFit fit_slices(const BrdfGrid& grid, const FitSettings& settings, const Pro
     fit.result.material = slice_material(best.channels);
     fit.result.parameters = best.numbers(bounds);
     fit.result.normalised_l2 = fit.error.worst_channel();
-    add_notes(grid, best, fit, fit.result.notes);
+    add_notes(grid, best, fit.result.notes);
     fit.result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.report("fitting", 1);
     return fit;
