@@ -75,10 +75,10 @@ TEST(SliceFit, TheMaterialIsTheFit) {
         const SliceFit found = fit_slices(table, one_lobe(model), Progress());
         const BrdfGrid grid({90, 30, 36, 2}, table);
         const Material again = material_from_json(material_to_json(found.result.material), model, model);
-        EXPECT_NEAR(brdf_error(grid, again).worst_channel(), found.result.normalised_l2,
-                    0.02 * found.result.normalised_l2 + 2e-4)
+        EXPECT_NEAR(brdf_error(grid, again).worst_channel(), *found.result.normalised_l2,
+                    0.02 * *found.result.normalised_l2 + 2e-4)
             << model;
-        if (model == "beckmann" || model == "ggx") EXPECT_LT(found.result.normalised_l2, 1e-3) << model;
+        if (model == "beckmann" || model == "ggx") EXPECT_LT(*found.result.normalised_l2, 1e-3) << model;
     }
 }
 
@@ -153,7 +153,7 @@ TEST(SliceFit, BlackIsBlack) {
     const SliceFit found = fit(grey_grid(kSmall, [](const GridAngles&) { return 0; }), one_lobe("sgd"));
     EXPECT_NEAR(found.result.material.kd.x, 0, 1e-6);
     EXPECT_TRUE(found.result.material.lobes.empty());
-    EXPECT_EQ(found.result.normalised_l2, 0);
+    EXPECT_EQ(*found.result.normalised_l2, 0);
 }
 
 TEST(SliceFit, SameBitsForAnyNumberOfThreads) {
