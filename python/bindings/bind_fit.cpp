@@ -7,9 +7,9 @@
 #include <burnish/material/measured/read_measured.h>
 #include <burnish/material/model.h>
 
-#include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <map>

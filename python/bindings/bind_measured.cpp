@@ -1,7 +1,7 @@
 // Measured reflectance on arrays of directions.
 #include "arrays.h"
 #include "bind.h"
-#include "docstrings.h"
+#include "docstrings_material.h"
 #include "json_objects.h"
 
 #include <burnish/material/measured/describe_measured.h>

@@ -231,7 +231,7 @@ def read_measured(path: _Path) -> Measured:
     Returns
     -------
     Measured
-        It can be evaluated; as a material it is ``{"model": "table", "table": path}``, or its path.
+        It can be evaluated on directions of shape (n, 3); as a material it is ``{"model": "table", "table": path}``, or its path.
 
     Raises
     ------
