@@ -27,10 +27,13 @@ const std::map<std::string, EstimatorKind> kEstimators{{"fitted", EstimatorKind:
                                                        {"preconvolved", EstimatorKind::preconvolved},
                                                        {"split_sum", EstimatorKind::split_sum}};
 
+const std::map<std::string, PatternKind> kPatterns{
+    {"automatic", PatternKind::automatic}, {"circles", PatternKind::circles}, {"tuned", PatternKind::tuned}};
+
 struct Sweep {
     int size = 96;
     float tolerance = 0.002f;
-    std::string neural, gamma;
+    std::string neural, gamma, pattern = "automatic";
     std::vector<std::string> lights, materials, estimators{"regular", "fitted"};
     std::vector<int> samples{0};
 };
@@ -68,6 +71,7 @@ public:
                 for (const int samples : m_sweep.samples) {
                     EstimatorSettings settings;
                     settings.kind = kEstimators.at(estimator), settings.samples = samples;
+                    settings.pattern = kPatterns.at(m_sweep.pattern);
                     const Comparison found = compare_images(shade(material, m_lights[light], settings), truth, &m_mask);
                     std::printf("%s,%s,%.4f,%.3f,%.3f,%s,%d,%s,%.2f,%.4f\n", name.c_str(), from, material.lobes[0].mx,
                                 material.kd.y, seconds, estimator.c_str(), lookup_count(settings),
@@ -107,6 +111,7 @@ int main(int argc, char** argv) {
     app.add_option("--tolerance", sweep.tolerance, "of the reference")->capture_default_str();
     app.add_option("--estimators", sweep.estimators, "regular, fitted, ...")->delimiter(',')->capture_default_str();
     app.add_option("--samples", sweep.samples, "lookups; 0 = default")->delimiter(',')->capture_default_str();
+    app.add_option("--pattern", sweep.pattern, "of regular: automatic, circles or tuned")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     const Bench bench(sweep);
     if (!sweep.neural.empty())
