@@ -28,16 +28,14 @@ bool all_borne_out(const LobeMixture& mixture, const TransferSamples& samples) {
 
 class Growth {
 public:
-    Growth(const TransferSamples& samples, Side side, ModelId model, bool round, const FitSettings& settings,
-           const Progress& progress)
+    Growth(const TransferSamples& samples, Side side, ModelId model, bool round, const FitSettings& settings)
         : m_all(samples),
           m_polished(thinned(samples, kPolished)),
           m_searched(thinned(samples, kSearched)),
           m_side(side),
           m_model(model),
           m_round(round),
-          m_bounds(settings.bounds),
-          m_progress(progress) {}
+          m_bounds(settings.bounds) {}
 
     LobeMixture without_lobes() const {
         LobeMixture mixture;
@@ -53,32 +51,38 @@ public:
     }
 
     /// `mixture` and one more lobe.
-    LobeMixture with_another(const LobeMixture& mixture) const {
+    LobeMixture with_another(const LobeMixture& mixture, const Progress& progress) const {
         LobeMixture best;
         const LobeSpace space = lobe_space(m_model, m_side, static_cast<int>(mixture.lobes.size()) + 1, m_round, m_bounds);
-        for (const FoundLobe& found : search_lobe(space, m_searched, left_over(mixture, m_searched), kValleys, m_progress)) {
+        for (const FoundLobe& found :
+             search_lobe(space, m_searched, left_over(mixture, m_searched), kValleys, part_of(progress, 0, kSearch))) {
             LobeMixture next = mixture;
             next.lobes.push_back(found.lobe);
             next.spaces.push_back(space);
-            next = polished(std::move(next), m_polished, grey(m_polished.p), m_progress);
+            next = polished(std::move(next), m_polished, grey(m_polished.p), at(progress, kSearch));
             if (best.lobes.empty() || better(next, best)) best = std::move(next);
         }
         if (best.lobes.empty()) return mixture;  // nothing that the table bears out
-        if (best.lobes.size() > 1) best = alternated(std::move(best));
-        return polished(std::move(best), m_all, grey(m_all.p), m_progress);
+        if (best.lobes.size() > 1) best = alternated(std::move(best), at(progress, kAlternation));
+        return polished(std::move(best), m_all, grey(m_all.p), part_of(progress, kAlternation, 1));
     }
 
 private:
+    static constexpr float kSearch = 0.4f, kAlternation = 0.8f;  // of the time for a lobe, done when that is
+
+    /// Stands still there, as nobody knows how often this work comes.
+    static Progress at(const Progress& progress, float done) { return part_of(progress, done, done); }
+
     /// Each lobe searched for anew in what the others leave, if that leads lower.
-    LobeMixture alternated(LobeMixture best) const {
+    LobeMixture alternated(LobeMixture best, const Progress& progress) const {
         for (size_t n = 0; n < best.lobes.size(); ++n) {
             LobeMixture others = best;
             others.lobes[n].strength = 0;
             const std::vector<FoundLobe> found =
-                search_lobe(best.spaces[n], m_searched, left_over(others, m_searched), 1, m_progress);
+                search_lobe(best.spaces[n], m_searched, left_over(others, m_searched), 1, progress);
             if (found.empty()) continue;
             others.lobes[n] = found.front().lobe;
-            others = polished(std::move(others), m_polished, grey(m_polished.p), m_progress);
+            others = polished(std::move(others), m_polished, grey(m_polished.p), progress);
             if (better(others, best)) best = std::move(others);
         }
         return best;
@@ -104,7 +108,6 @@ private:
     const ModelId m_model;
     const bool m_round;
     const ParameterBounds& m_bounds;
-    const Progress& m_progress;
 };
 
 /// As many samples of equal weight as these are worth.
@@ -176,13 +179,14 @@ void sort_lobes(LobeMixture& mixture) {
 
 SideFit fit_side(const TransferSamples& samples, Side side, ModelId model, bool round, const FitSettings& settings,
                  const Progress& progress) {
-    const Growth growth(samples, side, model, round, settings, progress);
+    const Growth growth(samples, side, model, round, settings);
     SideFit fit;
     fit.by_lobes.push_back(growth.without_lobes());
     const double enough = kRounding * light(samples);
     for (int k = 1; k <= settings.max_lobes; ++k) {
         if (fit.by_lobes.back().error <= enough && !settings.fixed_lobes) break;
-        fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back()));
+        const auto most = static_cast<float>(settings.max_lobes), done = static_cast<float>(k - 1);
+        fit.by_lobes.push_back(growth.with_another(fit.by_lobes.back(), part_of(progress, done / most, (done + 1) / most)));
     }
     fit.chosen = settings.fixed_lobes ? fit.by_lobes.size() - 1 : needed_lobes(fit.by_lobes, samples);
     if (!numbered(settings.bounds)) sort_lobes(fit.by_lobes[fit.chosen]);

@@ -39,7 +39,7 @@ public:
 
     std::vector<FoundLobe> run(int valleys) const {
         const Grid coarse = whole_space();
-        const std::vector<FoundLobe> points = all(coarse);
+        const std::vector<FoundLobe> points = all(coarse, part_of(m_progress, 0, kCoarseShare));
         std::vector<FoundLobe> found;
         for (const int start : valley_floors(coarse, points, valleys)) found.push_back(refined(coarse, start, points));
         std::ranges::stable_sort(found, {}, &FoundLobe::error);
@@ -47,6 +47,8 @@ public:
     }
 
 private:
+    static constexpr float kCoarseShare = 0.6f;  // of the time; the finer grids are reported as its end
+
     Grid whole_space() const {
         int free = 0;
         for (const ShapeParameter& parameter : m_space.shape) free += parameter.range.max > parameter.range.min;
@@ -76,12 +78,12 @@ private:
         return found;
     }
 
-    std::vector<FoundLobe> all(const Grid& grid) const {
+    std::vector<FoundLobe> all(const Grid& grid, const Progress& progress) const {
         std::vector<FoundLobe> points(static_cast<size_t>(grid.points()));
         for (int begin = 0; begin < grid.points(); begin += kBatch) {
             for_each_index(std::min(kBatch, grid.points() - begin),
                            [&](int i) { points[static_cast<size_t>(begin + i)] = best_of_shape(grid.at(begin + i)); });
-            m_progress.report("search", static_cast<float>(begin) / static_cast<float>(grid.points()));
+            progress.report("search", static_cast<float>(begin) / static_cast<float>(grid.points()));
         }
         return points;
     }
@@ -118,7 +120,7 @@ private:
                 grid.step[i] *= 2.0 / (kFine - 1);
                 grid.count[i] = kFine;
             }
-            const std::vector<FoundLobe> finer = all(grid);
+            const std::vector<FoundLobe> finer = all(grid, part_of(m_progress, kCoarseShare, kCoarseShare));
             const auto lowest = std::ranges::min_element(finer, {}, &FoundLobe::error);
             centre = grid.at(static_cast<int>(lowest - finer.begin()));
             if (lowest->error < best.error) best = *lowest;
