@@ -4,7 +4,8 @@
 // evaluation: SGD 3044, Beckmann 1416, Lafortune 551. Prints CSV.
 //
 //     burnish_model_cost [m, default 0.2]
-#include <burnish/material/lobe.h>
+#include "core/material/lobe_cases.h"
+
 #include <burnish/material/models/all.h>
 #include <burnish/sampling/sequence.h>
 
@@ -90,9 +91,7 @@ std::string published(std::string_view model) {
 template <class M>
 void print_row(ModelId id, float m, const std::vector<Pair>& pairs) {
     const ModelInfo& info = model_info(id);
-    LobeParameters lobe;
-    lobe.model = id, lobe.mx = lobe.my = m;
-    lobe.extra = default_parameters(info);
+    LobeParameters lobe = make_lobe(id, m, m);
     lobe.fresnel = {FresnelKind::schlick, Color3f(0.05f, 0.04f, 0.03f)};
     if (const float own = prepare(lobe); own > 0) lobe.mx = lobe.my = own;
     const M model(lobe);
