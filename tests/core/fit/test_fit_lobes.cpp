@@ -204,8 +204,11 @@ TEST_P(FitModel, MeetsATableOfItsOwn) {
                                        << material_to_json(result.material).dump();
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FitModel, ::testing::Range(0, static_cast<int>(models().size())),
-                         [](const auto& info) { return std::string(models()[static_cast<size_t>(info.param)].name); });
+INSTANTIATE_TEST_SUITE_P(All, FitModel, ::testing::Range(0, static_cast<int>(models().size())), [](const auto& info) {
+    std::string name(models()[static_cast<size_t>(info.param)].name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
 
 }  // namespace
 }  // namespace burnish::testing
