@@ -1,4 +1,5 @@
 #include <burnish/base/error.h>
+#include <burnish/fit/brdf_error.h>
 #include <burnish/fit/fit_lobes.h>
 #include <burnish/fit/fit_notes.h>
 #include <burnish/fit/lobe_colors.h>
@@ -83,7 +84,9 @@ FitResult fit_lobes(std::span<const BrdfSample> samples, bool isotropic, const F
 }
 
 FitResult fit_lobes(const MeasuredBrdf& measured, const FitSettings& settings, const Progress& progress) {
-    return fit_lobes(measured.samples(), measured.is_isotropic(), settings, progress);
+    FitResult result = fit_lobes(measured.samples(), measured.is_isotropic(), settings, progress);
+    if (measured.is_isotropic()) result.normalised_l2 = brdf_error(BrdfGrid({}, measured), result.material).worst_channel();
+    return result;
 }
 
 }  // namespace burnish

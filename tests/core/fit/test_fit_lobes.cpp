@@ -206,7 +206,8 @@ TEST_P(FitModel, MeetsATableOfItsOwn) {
                                        << material_to_json(result.material).dump();
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FitModel, ::testing::Range(0, static_cast<int>(ModelId::table)), [](const auto& info) {
+// The order of models.def; sgd, which comes after, is fitted by slices, and a table is not fitted to itself.
+INSTANTIATE_TEST_SUITE_P(All, FitModel, ::testing::Range(0, static_cast<int>(ModelId::sgd)), [](const auto& info) {
     std::string name(models()[static_cast<size_t>(info.param)].name);
     std::ranges::replace(name, '-', '_');
     return name;
