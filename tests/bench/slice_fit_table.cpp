@@ -11,25 +11,32 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sys/resource.h>
+
 #include <cstdio>
-#include <ctime>
 
 using namespace burnish;
 
 namespace {
+
+double processor_seconds() {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
 
 void print_fit(const std::string& material, const std::string& name, const BrdfGrid& grid) {
     FitSettings settings;
     const bool two = name.ends_with("2");
     settings.model = model_by_name(two ? name.substr(0, name.size() - 1) : name);
     settings.max_lobes = two ? 2 : 1;
-    const std::clock_t start = std::clock();
+    const double start = processor_seconds();
     const SliceFit fit = fit_slices(grid, settings, Progress());
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const double seconds = processor_seconds() - start;
     const size_t lobes = fit.result.material.lobes.size();
-    std::printf("%s,%s,%zu,%d,%.4e,%.4e,%.4e,%.4e,%.3f,%.5f\n", material.c_str(), name.c_str(), lobes, fit.result.parameters,
-                fit.error.overall(), fit.error.worst_channel(), fit.slices.overall(), fit.slices.worst_channel(),
-                fit.result.seconds, lobes ? fit.result.material.lobes[0].mx : 0.0f);
+    std::printf("%s,%s,%zu,%d,%.4e,%.4e,%.4e,%.4e,%.4e,%.3f,%.5f\n", material.c_str(), name.c_str(), lobes,
+                fit.result.parameters, fit.error.overall(), fit.error.worst_channel(), fit.slices.overall(),
+                fit.slices.worst_channel(), fit.result.seconds, lobes ? fit.result.material.lobes[0].mx : 0.0f);
     std::fflush(stdout);
     for (const std::string& note : fit.result.notes)
         std::fprintf(stderr, "%s, %s: %s\n", material.c_str(), name.c_str(), note.c_str());
@@ -50,7 +57,8 @@ int main(int argc, char** argv) {
     const bool networks = set == "nbrdf";
     const auto rows = merl::read_rows(data + (networks ? "/brdf_fits/nbrdf_merl_80.csv" : "/brdf_fits/sgd_bagher2012_bbm.csv"));
     const ThreadLimit one_core(1);
-    std::puts("material,model,lobes,parameters,error,worst_channel,slices_error,slices_worst_channel,seconds,width");
+    std::puts(
+        "material,model,lobes,parameters,error,worst_channel,slices_error,slices_worst_channel,one_lobe_error,seconds,width");
     for (const merl::Row& row : rows) {
         if (!only.empty() && std::find(only.begin(), only.end(), row.material) == only.end()) continue;
         const BrdfGrid grid({90, 90, 36, 2}, [&](const GridAngles& angles) -> std::optional<Channels> {

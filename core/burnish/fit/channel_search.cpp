@@ -63,7 +63,8 @@ std::vector<double> with_smith_masking(const std::vector<double>& shape) {
 
 FitGrids::FitGrids(const BrdfGrid& grid)
     : all(grid),
-      cells(grid.subset([](const BrdfGrid::Cell& c) { return c.d % 5 == 2 && c.p % 9 == 4; })),
+      cells(grid.subset([](const BrdfGrid::Cell& c) { return c.d % 5 == 2 && c.p % 3 == 1; })),
+      coarse(grid.subset([](const BrdfGrid::Cell& c) { return c.d % 10 == 7 && c.p % 9 == 4; })),
       slice_h(grid.subset([](const BrdfGrid::Cell& c) { return c.d == 0; })),
       slice_d(grid.subset([](const BrdfGrid::Cell& c) { return c.h == 0; })) {}
 
@@ -72,13 +73,14 @@ ChannelSearch::ChannelSearch(const FitGrids& grids, int channel, const ShapeFami
       m_bounds(bounds),
       m_all(grids.all, channel, Weighing::error, FresnelTerms::bent),
       m_cells(grids.cells, channel, Weighing::error, FresnelTerms::bent),
+      m_coarse(grids.coarse, channel, Weighing::error, FresnelTerms::bent),
       m_slice_h(grids.slice_h, channel, Weighing::ratio, FresnelTerms::constant),
       m_slice_d(grids.slice_d, channel, Weighing::ratio, FresnelTerms::bent) {}
 
 ChannelFit ChannelSearch::two_slices() const {
     ChannelFit best;
     for (const Shapes& start : best_starts(m_slice_h, {})) {
-        const ChannelFit fit = descend(m_slice_h, start);
+        const ChannelFit fit = descend(m_slice_h, m_family, m_bounds.shape, start);
         if (best.lobes.empty() || fit.cost < best.cost) best = fit;
     }
     LinearBounds bounds = m_bounds.linear;
@@ -87,40 +89,43 @@ ChannelFit ChannelSearch::two_slices() const {
 }
 
 ChannelFit ChannelSearch::polished(const ChannelFit& start) const {
-    std::vector<Shapes> starts = best_starts(m_cells, {});
-    Shapes given;
-    for (const LobeFit& lobe : start.lobes) given.push_back(lobe.shape);
-    starts.push_back(given);
-    ChannelFit best = start;
-    best.cost = m_cells.cost(m_family, start);
-    for (const Shapes& shapes : starts) {
-        const ChannelFit fit = descend(m_cells, shapes);
-        if (fit.cost < best.cost) best = fit;
-    }
-    return best;
-}
-
-ChannelFit ChannelSearch::with_another_lobe(const ChannelFit& fit) const {
-    Shapes fixed;
-    for (const LobeFit& lobe : fit.lobes)
-        fixed.emplace_back(lobe.shape.begin(), lobe.shape.begin() + static_cast<std::ptrdiff_t>(m_bounds.shape.size()));
-    ChannelFit best;
-    for (const Shapes& start : best_starts(m_cells, fixed)) {
-        const ChannelFit more = descend(m_cells, start);
-        if (best.lobes.empty() || more.cost < best.cost) best = more;
-    }
-    return best;
+    std::vector<Shapes> starts = best_starts(m_coarse, {});
+    starts.push_back({start.lobes[0].shape});
+    const ChannelFit fit = best_of(m_family, m_bounds.shape, starts);
+    return fit.cost < m_cells.cost(m_family, start) ? fit : start;
 }
 
 ChannelFit ChannelSearch::with_free_masking(const ChannelFit& start) const {
     const ShapeFamily& family = sgd_with_free_masking();
     std::vector<SearchRange> ranges = m_bounds.shape;
     for (size_t i = ranges.size(); i < family.parameters.size(); ++i) ranges.push_back(range_of(family.parameters[i]));
-    std::vector<Shapes> starts = best_starts(m_cells, {});
+    std::vector<Shapes> starts = best_starts(m_coarse, {});
     starts.push_back({start.lobes[0].shape});
+    for (Shapes& shapes : starts) shapes[0] = with_smith_masking(shapes[0]);
+    return best_of(family, ranges, starts);
+}
+
+ChannelFit ChannelSearch::with_another_lobe(const ChannelFit& fit) const {
+    Shapes fixed;
+    for (const LobeFit& lobe : fit.lobes)
+        fixed.emplace_back(lobe.shape.begin(), lobe.shape.begin() + static_cast<std::ptrdiff_t>(m_bounds.shape.size()));
+    return best_of(m_family, m_bounds.shape, best_starts(m_coarse, fixed));
+}
+
+ChannelFit ChannelSearch::best_of(const ShapeFamily& family, std::span<const SearchRange> each,
+                                  std::span<const Shapes> starts) const {
+    constexpr size_t kFinalists = 2;
+    std::vector<std::pair<double, Shapes>> reached;
+    for (const Shapes& start : starts) {
+        Shapes shapes;
+        for (const LobeFit& lobe : descend(m_coarse, family, each, start).lobes) shapes.push_back(lobe.shape);
+        const double cost = m_cells.fit(family, shapes, m_bounds.linear).cost;
+        reached.emplace_back(cost, std::move(shapes));
+    }
+    std::stable_sort(reached.begin(), reached.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     ChannelFit best;
-    for (const Shapes& shapes : starts) {
-        const ChannelFit fit = descend(m_cells, family, ranges, {with_smith_masking(shapes[0])});
+    for (size_t i = 0; i < std::min(kFinalists, reached.size()); ++i) {
+        const ChannelFit fit = descend(m_cells, family, each, reached[i].second);
         if (best.lobes.empty() || fit.cost < best.cost) best = fit;
     }
     return best;
@@ -131,10 +136,6 @@ double ChannelSearch::error(const ShapeFamily& family, const ChannelFit& fit) co
 }
 
 double ChannelSearch::error(const ChannelFit& fit) const { return error(m_family, fit); }
-
-ChannelFit ChannelSearch::descend(const ChannelProblem& problem, const Shapes& start) const {
-    return descend(problem, m_family, m_bounds.shape, start);
-}
 
 ChannelFit ChannelSearch::descend(const ChannelProblem& problem, const ShapeFamily& family, std::span<const SearchRange> each,
                                   const Shapes& start) const {

@@ -12,8 +12,9 @@ namespace burnish {
 
 /// The parts of a grid that fits look at.
 struct FitGrids {
-    BrdfGrid all, cells, slice_h,
-        slice_d;  // cells: some 5,000 of them, middles of equal cells again; slice_h: theta_d near 0; slice_d: theta_h near 0
+    BrdfGrid all;
+    BrdfGrid cells, coarse;     // some 15,000 and 1,500 of them, middles of equal cells again
+    BrdfGrid slice_h, slice_d;  // theta_d and theta_h near 0
 
     explicit FitGrids(const BrdfGrid& grid);
 };
@@ -43,14 +44,15 @@ public:
 private:
     using Shapes = std::vector<std::vector<double>>;
 
-    ChannelFit descend(const ChannelProblem& problem, const Shapes& start) const;
+    /// The starts followed on few cells, and the best of what they lead to on all.
+    ChannelFit best_of(const ShapeFamily& family, std::span<const SearchRange> each, std::span<const Shapes> starts) const;
     ChannelFit descend(const ChannelProblem& problem, const ShapeFamily& family, std::span<const SearchRange> each,
                        const Shapes& start) const;
     std::vector<Shapes> best_starts(const ChannelProblem& problem, const Shapes& fixed) const;
 
     const ShapeFamily& m_family;
     LobeBounds m_bounds;
-    ChannelProblem m_all, m_cells, m_slice_h, m_slice_d;
+    ChannelProblem m_all, m_cells, m_coarse, m_slice_h, m_slice_d;
 };
 
 }  // namespace burnish

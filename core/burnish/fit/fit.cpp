@@ -1,7 +1,6 @@
 #include <burnish/fit/fit.h>
 
 #include <burnish/base/error.h>
-#include <burnish/fit/brdf_error.h>
 #include <burnish/fit/fit_curves.h>
 #include <burnish/fit/fit_lobes.h>
 #include <burnish/fit/lobe_mixture_fit.h>
@@ -31,11 +30,8 @@ FitResult fit_one(const MeasuredBrdf& data, const FitSettings& settings, const P
     if (settings.model == ModelId::table)
         throw Error(ErrorCode::bad_argument,
                     "model table: a table is shown as it is, without a fit: --material " + data.file());
-    if (!has_slices(data)) return fit_lobes(data, settings, progress);
-    if (settings.model && is_fitted_by_slices(*settings.model)) return fit_slices(data, settings, progress).result;
-    FitResult result = fit_lobes(data, settings, progress);
-    result.normalised_l2 = brdf_error(BrdfGrid(GridSize{}, data), result.material).worst_channel();
-    return result;
+    const bool by_slices = has_slices(data) && settings.model && is_fitted_by_slices(*settings.model);
+    return by_slices ? fit_slices(data, settings, progress).result : fit_lobes(data, settings, progress);
 }
 
 json errors_to_json(const FitResult& fit) {

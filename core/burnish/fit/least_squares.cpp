@@ -77,13 +77,13 @@ double SearchRange::share_of(double value) const {
 
 std::vector<double> least_squares(std::span<const SearchRange> ranges, std::vector<double> start, const Residuals& residuals) {
     constexpr int kIterations = 60;
-    constexpr double kLevel = 1e-6, kSettled = 1e-9, kStep = 1e-6, kFirstStep = 0.1;
+    constexpr double kLevel = 1e-6, kSettled = 1e-9, kStep = 1e-7, kFirstStep = 0.1;
     const Angles angles(ranges, start);
     Eigen::VectorXd t = angles.start();
     std::vector<double> first;
     residuals(start, first);
     if (t.size() == 0 || first.size() < static_cast<size_t>(t.size())) return start;
-    using Differentiated = Eigen::NumericalDiff<Functor, Eigen::Central>;
+    using Differentiated = Eigen::NumericalDiff<Functor>;
     Differentiated functor(Functor{angles, residuals, static_cast<int>(first.size())}, kStep * kStep);
     Eigen::LevenbergMarquardt<Differentiated> optimiser(functor);
     optimiser.parameters.maxfev = kIterations;

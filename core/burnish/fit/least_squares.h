@@ -21,7 +21,7 @@ struct SearchRange {
 /// Writes the residuals of `numbers`, always as many.
 using Residuals = std::function<void(std::span<const double> numbers, std::vector<double>& residuals)>;
 
-/// The numbers at the bottom of the valley of sum residual^2 that `start` lies in; derivatives by central differences.
+/// The numbers at the bottom of the valley of sum residual^2 that `start` lies in; derivatives by differences.
 std::vector<double> least_squares(std::span<const SearchRange> ranges, std::vector<double> start, const Residuals& residuals);
 
 }  // namespace burnish

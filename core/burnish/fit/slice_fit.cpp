@@ -185,6 +185,7 @@ SliceFit fit_slices(const BrdfGrid& grid, const FitSettings& settings, const Pro
         progress.report("fitting masking", 0.3f);
         best = fitter.with_masking(best);
     }
+    fit.one_lobe = brdf_error(grid, best.error);
     if (settings.max_lobes > 1) {
         progress.report("fitting a second lobe", 0.4f);
         best = fitter.with_lobes_that_pay(best, settings.fixed_lobes, fit.result.notes);

@@ -21,7 +21,8 @@ class MeasuredBrdf;
 struct SliceFit {
     FitResult result;
     BrdfError error;
-    BrdfError slices;  // of the two slices alone
+    BrdfError slices;    // of the two slices alone
+    BrdfError one_lobe;  // before a second lobe was tried
 };
 
 /// settings.model: sgd where there is none. At most two lobes; bounds of kd, ks, r0, f1 and the numbers of the shape (alpha, p; m; B, C),

@@ -11,8 +11,8 @@ using burnish::BrdfGrid;
 using burnish::Channels;
 using burnish::GridAngles;
 
-/// 26,000 cells, 90 of theta_h.
-inline constexpr burnish::GridSize kSmall{90, 30, 12, 2};
+/// All theta_h of a table, and enough of the rest for fits.
+inline constexpr burnish::GridSize kSmall{90, 45, 18, 2};
 
 struct Cosines {
     double i, o;
