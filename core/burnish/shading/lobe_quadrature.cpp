@@ -1,6 +1,7 @@
 #include <burnish/shading/lobe_quadrature.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/sampling/lobe_pattern.h>
 #include <burnish/shading/lobe_image.h>
 
 #include <algorithm>
@@ -59,12 +60,18 @@ LobeQuadrature quadrature_of(const LobeType& lobe, float mx, float my, const Vec
     return q;
 }
 
-/// A degree, more for wide lobes and less for lobes that are not much wider themselves; and where a row of so many Gaussians as
+/// How narrow the lobe's peak is: the slopes that hold its first tenth, over those of a Gaussian lobe; 1 for all lobes without one.
+float peak_width(const LobeParameters& lobe) {
+    constexpr float kBeyond = 0.9f;
+    return visit_lobe(lobe, [&](const auto& own) { return std::min(own.border(kBeyond) / gaussian_radius(kBeyond), 1.0f); });
+}
+
+/// A degree, more for wide lobes and less for peaked ones, and for lobes that are not much wider themselves; and where a row of so many Gaussians as
 /// narrow as an anisotropic lobe would leave gaps, as much as closes them: light that falls into gaps is worse than a wider
 /// lobe. (Round lobes, long at grazing angles only, lose by that: there the horizon makes a wider lobe another lobe.)
-float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
+float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps, float peak) {
     const LobeImage image = lobe_image(wo, lobe.mx, lobe.my);
-    const float detail = 0.01f + 0.035f * image.major, gap = kGap * image.major / static_cast<float>(taps);
+    const float detail = (0.01f + 0.035f * image.major) * peak, gap = kGap * image.major / static_cast<float>(taps);
     const float closing = lobe.mx == lobe.my ? 0 : std::sqrt(std::max(gap * gap - image.minor * image.minor, 0.0f));
     return std::min(std::max(detail, closing), 0.35f * image.major);
 }
@@ -72,7 +79,7 @@ float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
 }  // namespace
 
 LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half, int taps) {
-    const float blur = blur_for(parameters, wo, taps), mx = parameters.mx, my = parameters.my;
+    const float blur = blur_for(parameters, wo, taps, peak_width(parameters)), mx = parameters.mx, my = parameters.my;
     const Vec2f wider = widening(wo, blur);
     return visit_lobe(parameters, [&](const auto& lobe) {
         const LobeQuadrature sharp = quadrature_of(lobe, mx, my, wo, half);
