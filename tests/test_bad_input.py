@@ -255,3 +255,43 @@ def test_files_that_broke_other_readers(cli, work, path, use):
     if result.code == 1:
         assert result.error[0] in ("E_READ_FAILED", "E_MISSING_CHANNEL") and path.name in result.error[1]
         assert list((work / "out").iterdir()) == []
+
+
+GONIO = "# burnish gonio 1\n# surface isotropic\n# values brdf\n# columns theta_i phi_i theta_o phi_o value\n"
+
+
+@pytest.mark.parametrize("name, content, part", [
+    ("a.binary", b"", "expected 34992012 bytes"),
+    ("a.binary", b"\x5a\0\0\0" * 300, "Was it copied whole?"),
+    ("a.brdf", b"1000000000\n400\n", "number of wavelengths"),
+    ("a.brdf", b"31\n" + b"\xff" * 1000, "expected a number"),
+    ("a.brdf", b"\0" * 100000, "expected a number"),
+    ("a.alta", b"#DIM 1000000 3\n", "#PARAM_IN"),
+    ("a.dat", b"#DIM 3 1\n#PARAM_IN RUSIN_TH_TD_PD\n#PARAM_OUT INV_STERADIAN\n1 nan 0 1\n", "finite number"),
+    ("a.gonio", GONIO.encode() + b"10 0 20 0 inf\n", "finite number"),
+    ("a.gonio", GONIO.encode() + b"91 0 20 0 1\n", "theta_i"),
+    ("a.gonio", GONIO.encode(), "no row"),
+])
+def test_measurements_that_are_none(composite, cli, work, name, content, part):
+    (work / name).write_bytes(content)
+    expect(composite(material=name), 1, "E_READ_FAILED", name, part)
+    expect(cli("info", work / name), 1, "E_READ_FAILED", name, part)
+
+
+def test_a_measurement_that_is_too_large(composite, work):
+    with open(work / "big.gonio", "wb") as file:
+        file.truncate(100 * GIGABYTE)
+    expect(composite(material="big.gonio"), 1, "E_READ_FAILED", "big.gonio")
+
+
+def test_a_measurement_with_every_value_alike(composite, work):
+    rows = "".join(f"10 0 20 {phi} 1e9\n" for phi in [0] * 5000)
+    (work / "same.gonio").write_text(GONIO + rows)
+    assert composite(material="same.gonio").code == 0
+
+
+def test_a_material_without_its_table(composite, work):
+    (work / "m.json").write_text(json.dumps({"model": "table", "table": "absent.binary"}))
+    expect(composite(material="m.json"), 1, "E_READ_FAILED", "absent.binary")
+    (work / "m.json").write_text(json.dumps({"model": "table"}))
+    expect(composite(material="m.json"), 2, "E_BAD_ARGUMENT", "m.json.table")

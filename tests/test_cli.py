@@ -219,7 +219,10 @@ def test_compare_measures_and_draws(cli, job, tmp_path):
 
 def test_models_lists_models_and_presets(cli):
     text, listed = cli("models").out, json.loads(cli("models", "--json").out)
-    assert {"kurt", "ggx", "beckmann"} <= {model["name"] for model in listed["models"]}
+    by_name = {model["name"]: model for model in listed["models"]}
+    assert {"kurt", "ggx", "beckmann", "ward", "ashikhmin-shirley", "oren-nayar"} <= set(by_name)
+    assert by_name["abc"]["own_width"] and not by_name["lewis"]["anisotropic"] and not by_name["phong"]["reciprocal"]
+    assert by_name["kurt"]["parameters"][0]["default"] == 0.4 and not by_name["kurt"]["parameters"][0]["per_channel"]
     assert all(model["name"] in text for model in listed["models"]) and all(name in text for name in listed["presets"])
 
 

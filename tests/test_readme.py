@@ -1,5 +1,6 @@
 """The README: its code is the examples' code, its names are the program's, its pictures and links exist."""
 
+import json
 import re
 
 import pytest
@@ -8,7 +9,7 @@ from conftest import SOURCE
 README = (SOURCE / "README.md").read_text()
 
 
-@pytest.mark.parametrize("language, example", [("sh", "quickstart.sh"), ("sh", "antialias.sh"), ("sh", "room.sh"), ("json", "lights.json"), ("python", "quickstart.py"), ("cpp", "quickstart.cpp")])
+@pytest.mark.parametrize("language, example", [("sh", "quickstart.sh"), ("sh", "antialias.sh"), ("sh", "room.sh"), ("sh", "measured.sh"), ("json", "lights.json"), ("python", "quickstart.py"), ("cpp", "quickstart.cpp")])
 def test_code_is_what_the_examples_run(language, example):
     blocks = re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
     assert any(block in (SOURCE / "examples" / example).read_text() for block in blocks)
@@ -22,7 +23,7 @@ def test_files_it_names_exist():
 
 
 def test_presets_and_estimators_are_the_programs(cli):
-    presets = re.search(r"presets: (.*)\n", cli("models").out).group(1).split()
+    presets = json.loads(cli("models", "--json").out)["presets"]
     help_text = cli("composite", "--help").out
     assert all(preset in README for preset in presets)
     assert all(name in help_text for name in re.findall(r"^\| `(\w+)` \|", README, re.MULTILINE))

@@ -29,7 +29,11 @@
 #include <burnish/material/albedo.h>
 #include <burnish/material/library.h>
 #include <burnish/material/lobe.h>
+#include <burnish/material/material_brdf.h>
+#include <burnish/material/measured/read_measured.h>
 #include <burnish/material/model.h>
+
+#include <burnish/fit/fit.h>
 
 #include <burnish/light/environment.h>
 #include <burnish/light/light_chain.h>

@@ -19,5 +19,8 @@ Run add_compare(CLI::App& app);
 Run add_models(CLI::App& app);
 Run add_demo(CLI::App& app);
 Run add_bake(CLI::App& app);
+Run add_fit(CLI::App& app);
+Run add_tabulate(CLI::App& app);
+Run add_preview(CLI::App& app);
 
 }  // namespace burnish::cli

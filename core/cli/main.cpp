@@ -16,7 +16,7 @@ using namespace burnish;
 
 constexpr int kFailure = 1, kUsage = 2, kSignalBase = 128;
 constexpr const char* kFooter =
-    "burnish chart, written in Python, draws error against cost: see burnish chart --help.\n"
+    "burnish chart and burnish fit-plots, written in Python, draw pictures: see burnish chart --help.\n"
     "Any other word runs burnish-<word>, found beside burnish or on the PATH.\n"
     "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 some frames were skipped or failed, 130 stopped by Ctrl-C.";
 
@@ -66,6 +66,9 @@ int main(int argc, char** argv) {
     commands["models"] = cli::add_models(app);
     commands["demo"] = cli::add_demo(app);
     commands["bake"] = cli::add_bake(app);
+    commands["fit"] = cli::add_fit(app);
+    commands["tabulate"] = cli::add_tabulate(app);
+    commands["preview"] = cli::add_preview(app);
 
     if (argc > 1 && argv[1][0] != '-' && commands.count(argv[1]) == 0)
         return run_guarded([&] { return cli::run_external(argv + 1, commands); });

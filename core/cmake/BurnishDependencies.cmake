@@ -8,6 +8,7 @@ find_package(assimp 5 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(hwy REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 
 # OpenImageIO's target lists OpenCV's include folder even where OpenCV is absent.
 get_target_property(burnish_oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

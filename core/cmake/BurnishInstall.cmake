@@ -8,7 +8,7 @@ set_target_properties(burnish-cli PROPERTIES INSTALL_RPATH "$ORIGIN/${burnish_li
 
 install(TARGETS burnish EXPORT burnish-targets LIBRARY COMPONENT core NAMELINK_COMPONENT core FILE_SET HEADERS COMPONENT core)
 install(TARGETS burnish-cli RUNTIME COMPONENT core)
-install(FILES ${CMAKE_BINARY_DIR}/share/burnish/shot.schema.json burnish/material/presets.json
+install(FILES ${CMAKE_BINARY_DIR}/share/burnish/shot.schema.json burnish/material/presets.json burnish/material/merl_sgd.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/burnish COMPONENT core)
 
 set(burnish_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/burnish)

@@ -1,7 +1,8 @@
 // Local bandwidths on arrays: of images, of distant light, of lobes.
 #include "arrays.h"
 #include "bind.h"
-#include "docstrings.h"
+#include "docstrings_light.h"
+#include "docstrings_material.h"
 
 #include <burnish/frequency/light_bandwidth.h>
 #include <burnish/frequency/lobe_bandwidth.h>

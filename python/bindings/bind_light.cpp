@@ -1,7 +1,7 @@
 // The environment on arrays of directions.
 #include "arrays.h"
 #include "bind.h"
-#include "docstrings.h"
+#include "docstrings_light.h"
 #include "json_objects.h"
 #include "light.h"
 

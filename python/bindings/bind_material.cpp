@@ -1,7 +1,7 @@
 // One lobe on arrays of directions, and the energy check: what tests and tools need of the reflectance models.
 #include "arrays.h"
 #include "bind.h"
-#include "docstrings.h"
+#include "docstrings_material.h"
 #include "json_objects.h"
 
 #include <burnish/material/albedo.h>

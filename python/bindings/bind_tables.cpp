@@ -2,10 +2,12 @@
 #include "bind.h"
 #include "json_objects.h"
 
+#include <burnish/base/json_fields.h>
 #include <burnish/input/roles.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
 
 #include <cmath>
@@ -44,9 +46,14 @@ py::object models_table() {
     for (const ModelInfo& model : models()) {
         json parameters = json::object();
         for (const ModelParameter& p : model.parameters)
-            parameters[std::string(p.name)] = {{"default", p.value}, {"min", p.min}, {"max", p.max}, {"help", p.help}};
-        table[std::string(model.name)] = {
-            {"summary", model.summary}, {"source", model.source}, {"reciprocal", model.reciprocal}, {"parameters", parameters}};
+            parameters[std::string(p.name)] = {{"default", to_json_number(p.value)},
+                                               {"min", to_json_number(p.min)},
+                                               {"max", to_json_number(p.max)},
+                                               {"per_channel", p.per_channel},
+                                               {"help", p.help}};
+        table[std::string(model.name)] = {{"summary", model.summary},       {"source", model.source},
+                                          {"reciprocal", model.reciprocal}, {"anisotropic", model.anisotropic},
+                                          {"own_width", model.own_width},   {"parameters", parameters}};
     }
     return from_json(table);
 }
@@ -57,6 +64,12 @@ py::object presets_table() {
     return from_json(table);
 }
 
+py::object library_table() {
+    json table = json::object();
+    for (const std::string& name : library_names()) table[name] = library_json(name);
+    return from_json(table);
+}
+
 }  // namespace
 
 void bind_tables(py::module_& module) {
@@ -64,6 +77,7 @@ void bind_tables(py::module_& module) {
     module.def("roles", roles_table);
     module.def("models", models_table);
     module.def("presets", presets_table);
+    module.def("library", library_table);
     module.def("shot_schema", [] { return from_json(shot_schema()); });
 }
 

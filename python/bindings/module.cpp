@@ -10,8 +10,11 @@ PYBIND11_MODULE(_core, module) {
     bind_errors(module);
     bind_tables(module);
     bind_material(module);
+    bind_measured(module);
     bind_light(module);
     bind_bandwidth(module);
     bind_job(module);
+    bind_fit(module);
     bind_files(module);
+    bind_preview(module);
 }

@@ -14,9 +14,11 @@ from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, __version__
+from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
+from ._fitting import fit
+from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
     BadArgument,
     Cancelled,
@@ -43,6 +45,7 @@ __all__ = [
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
+    "Measured",
     "MissingChannel",
     "ReadFailed",
     "SizeMismatch",
@@ -50,10 +53,14 @@ __all__ = [
     "check_energy",
     "compare",
     "composite",
+    "fit",
     "info",
+    "library",
     "local_bandwidth",
     "models",
     "presets",
+    "preview",
+    "read_measured",
     "roles",
     "run",
     "settings",
@@ -171,86 +178,6 @@ def _wardrobe(materials):
     return wardrobe
 
 
-def settings() -> list[dict[str, _Any]]:
-    """The table of settings that the command line, the shot file and Python share.
-
-    Returns
-    -------
-    list of dict
-        In the order they are shown: name, section and key in the shot file, unit, help, min, max, choices, default.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.settings()
-
-
-def roles() -> dict[str, _Any]:
-    """The roles that layers of a frame can play.
-
-    Returns
-    -------
-    dict
-        Role name -> {"channels": int, "help": str}.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.roles()
-
-
-def models() -> dict[str, _Any]:
-    """The reflectance models.
-
-    Returns
-    -------
-    dict
-        Model name -> {"summary", "source", "reciprocal", "parameters": name -> {"default", "min", "max", "help"}}.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.models()
-
-
-def presets() -> dict[str, _Any]:
-    """The built-in materials.
-
-    Returns
-    -------
-    dict
-        Name -> material, as the shot file spells it.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.presets()
-
-
-def shot_schema() -> dict[str, _Any]:
-    """The JSON schema of the shot file.
-
-    Returns
-    -------
-    dict
-        JSON Schema, draft 2020-12.
-
-    Raises
-    ------
-    MemoryError
-        Only when there is no memory for the answer.
-    """
-    return _core.shot_schema()
-
-
 def check_energy(material: str | dict) -> dict[str, float]:
     """The largest directional albedo of a material; above 1 it creates energy.
 
@@ -291,6 +218,54 @@ def info(path: _Path) -> dict[str, _Any]:
         The file is absent, corrupt, deep or no EXR.
     """
     return _core.info(path)
+
+
+def read_measured(path: _Path) -> Measured:
+    """Read a measured reflectance.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        MERL's .binary, Cornell's .brdf, ALTA's .alta or .dat, or a text that begins with "# burnish gonio 1".
+
+    Returns
+    -------
+    Measured
+        It can be evaluated on directions of shape (n, 3); as a material it is ``{"model": "table", "table": path}``, or its path.
+
+    Raises
+    ------
+    ReadFailed
+        The file is absent, or no measurement.
+    """
+    return Measured(path)
+
+
+def preview(material: str | dict, environment: str | _Path | None = None, size: int = 256) -> _Array:
+    """A ball of a material, as `burnish preview` shows it.
+
+    Parameters
+    ----------
+    material : str or dict
+        A preset, "merl:NAME", a JSON file, or the material itself.
+    environment : str or os.PathLike, optional
+        A picture of the light from all around, Z up; by default a sky with a small sun and soft boxes.
+    size : int
+        Pixels across and down, 1 to 4096.
+
+    Returns
+    -------
+    ndarray, shape (size, size, 4), float32
+        Linear RGBA, associated alpha: 0 around the ball.
+
+    Raises
+    ------
+    BadArgument
+        The material is unknown or has a field out of range; `size` is.
+    ReadFailed
+        A file cannot be read.
+    """
+    return _core.preview(material, environment, size)
 
 
 def compare(a: _Array, b: _Array, mask: _Array | None = None) -> dict[str, _Any]:

@@ -5,6 +5,7 @@
 #include "core/scenes.h"
 
 #include <burnish/base/parallel.h>
+#include <burnish/material/library.h>
 #include <burnish/shading/dense.h>
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,7 @@ struct Sweep {
     float tolerance = 0.002f;
     int size = 96, lights = 8, first_light = 1000, face_size = 512;
     std::vector<std::string> files;
+    std::vector<std::string> materials;
     std::string model = "beckmann", kernel = "binomial6";
     std::vector<float> mx{0.02f, 0.05f, 0.1f, 0.15f, 0.3f}, my, biases{-1.0f, -0.75f, -0.5f, -0.25f, 0.0f}, borders{0.0f};
     std::vector<int> samples{19};
@@ -85,7 +87,15 @@ public:
         LobeParameters lobe;
         lobe.model = kModels.at(m_sweep.model), lobe.mx = mx, lobe.my = my;
         lobe.extra = {0.0f};
-        m_material.lobes = {lobe};
+        run(lobe, m_sweep.model);
+    }
+
+    /// A material's first lobe.
+    void run(const std::string& material) { run(find_material(material).lobes.at(0), material); }
+
+private:
+    void run(const LobeParameters& lobe, const std::string& name) {
+        m_material.lobes = {lobe}, m_name = name;
         EstimatorSettings settings;
         settings.kind = EstimatorKind::reference, settings.tolerance = m_sweep.tolerance, settings.max_samples = 32768;
         m_references.clear();
@@ -93,7 +103,6 @@ public:
         for (const std::string& estimator : m_sweep.estimators) sweep_estimator(estimator, lobe);
     }
 
-private:
     ShadedFrame shade(const Environment& light, const EstimatorSettings& settings) const {
         return shade_dense(m_surfaces, m_assignment, {MaterialShader(m_material, light, settings)}, {}, true);
     }
@@ -119,7 +128,7 @@ private:
                                 grazing += relative_rms(result.overlay, truth, m_cosine, kGrazing) / m_lights.size();
                                 lookups = *std::max_element(result.samples.data.begin(), result.samples.data.end());
                             }
-                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f,%.5f\n", m_sweep.model.c_str(), lobe.mx, lobe.my,
+                            std::printf("%s,%g,%g,%s,%s,%s,%d,%g,%g,%g,%d,%.5f,%.5f\n", m_name.c_str(), lobe.mx, lobe.my,
                                         name.c_str(), quadrature.c_str(), pattern.c_str(), samples, lookups, border, bias,
                                         !m_sweep.uncorrected, error, grazing);
                             std::fflush(stdout);
@@ -133,6 +142,7 @@ private:
     Image m_cosine;
     std::vector<Environment> m_lights;
     Material m_material;
+    std::string m_name;  // of the model or the material
     std::vector<ShadedFrame> m_references;
 };
 
@@ -149,6 +159,9 @@ int main(int argc, char** argv) {
     app.add_option("--face-size", sweep.face_size, "texels per cube face edge")->capture_default_str();
     app.add_option("--kernel", sweep.kernel, "box2, binomial4 or binomial6")->capture_default_str();
     app.add_option("--model", sweep.model, "kurt, beckmann or ggx")->capture_default_str();
+    app.add_option("--materials", sweep.materials,
+                   "in place of a model and its widths: first lobes of presets, merl:NAME or files")
+        ->delimiter(',');
     app.add_option("--mx", sweep.mx, "slope widths")->delimiter(',')->capture_default_str();
     app.add_option("--my", sweep.my, "slope widths along the bitangent; default: mx")->delimiter(',');
     app.add_option("--samples", sweep.samples, "lookups")->delimiter(',')->capture_default_str();
@@ -168,6 +181,8 @@ int main(int argc, char** argv) {
     std::puts(
         "model,mx,my,estimator,quadrature,pattern,samples,lookups,border,level_bias,corrected,relative_rms,beyond_75_deg");
     Bench bench(sweep);
-    for (size_t i = 0; i < sweep.mx.size(); ++i) bench.run(sweep.mx[i], i < sweep.my.size() ? sweep.my[i] : sweep.mx[i]);
+    for (const std::string& material : sweep.materials) bench.run(material);
+    for (size_t i = 0; sweep.materials.empty() && i < sweep.mx.size(); ++i)
+        bench.run(sweep.mx[i], i < sweep.my.size() ? sweep.my[i] : sweep.mx[i]);
     return 0;
 }

@@ -1,10 +1,15 @@
 // How well `fit_lobes` finds numbers that are known: tables of the published materials with the faults of measurements, several of each.
-// Prints the number of lobes found, the worst relative error of every number over all tables, and the time.
+// Prints the number of lobes found, the worst relative error of every number over all tables, and the time. Fits measured files, too.
 #include <burnish/fit/fit_lobes.h>
+#include <burnish/fit/transfer_samples.h>
 #include <burnish/material/albedo.h>
+#include <burnish/material/library.h>
+#include <burnish/material/measured/read_measured.h>
+#include <burnish/material/model.h>
 #include <core/fit/synthetic_table.h>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,12 +41,17 @@ float albedo(const Material& material, Side side, float theta_deg, float phi_deg
     return sum;
 }
 
+/// Over the incident directions that were measured, as the source's tables have it.
 void compare_albedo(Worst& worst, const KnownMaterial& known, const Material& found) {
-    for (const Side side : {Side::reflection, Side::transmission})
+    for (const Side side : {Side::reflection, Side::transmission}) {
+        float expected = 0, mean = 0;
         for (const float theta : known.grid.theta_i_deg)
-            for (const float phi : {known.grid.phi_i_deg.front(), known.grid.phi_i_deg.back()})
-                if (const float expected = albedo(known.material, side, theta, phi); expected > 0)
-                    compare(worst, "albedo", albedo(found, side, theta, phi), expected);
+            for (const float phi : {known.grid.phi_i_deg.front(), known.grid.phi_i_deg.back()}) {
+                expected += albedo(known.material, side, theta, phi);
+                mean += albedo(found, side, theta, phi);
+            }
+        if (expected > 0) compare(worst, "albedo", mean, expected);
+    }
 }
 
 void compare_lobe(Worst& worst, const LobeParameters& known, const LobeParameters& found) {
@@ -104,13 +114,42 @@ void print_row(const KnownMaterial& known, const Settings& settings) {
     std::fflush(stdout);
 }
 
+/// Share of the light that the fit misses for each incident direction, highlights (half vectors within `kPeak_deg` of the normal)
+/// apart: a coarse table has one reading of them.
+void print_angles(const std::vector<BrdfSample>& pairs, const Material& material) {
+    constexpr float kPeak_deg = 2;
+    const TransferSamples samples = transfer_samples(pairs, Side::reflection);
+    const std::vector<Color3f> model = model_transfer(material, samples, Side::reflection);
+    std::map<int, std::array<double, 2>> sums;
+    for (size_t j = 0; j < samples.size(); ++j) {
+        if ((samples.wo[j] + samples.wi[j]).normalized().z > std::cos(kPeak_deg * kPi / 180)) continue;
+        const Vec3f& incident = samples.incident_directions[static_cast<size_t>(samples.incident[j])];
+        auto& [missed, light] = sums[static_cast<int>(std::lround(std::acos(incident.z) * 180 / kPi))];
+        for (int c = 0; c < 3; ++c) missed += samples.weight[j] * std::abs(samples.p[j][c] - model[j][c]);
+        for (int c = 0; c < 3; ++c) light += samples.weight[j] * samples.p[j][c];
+    }
+    for (const auto& [theta, sum] : sums) std::printf("  %d deg: %.0f %%\n", theta, 100 * sum[0] / sum[1]);
+}
+
+void print_file(const std::string& file, const FitSettings& settings) {
+    const std::shared_ptr<const MeasuredBrdf> measured = read_measured(file);
+    const FitResult fit = fit_lobes(*measured, settings, {});
+    std::printf("%s: %s\n  L1 %.5f, normalised L2 %.3f, %d numbers, %.1f s\n", file.c_str(),
+                material_to_json(fit.material).dump().c_str(), fit.l1, fit.normalised_l2.value_or(NAN), fit.parameters, fit.seconds);
+    for (const std::string& note : fit.notes) std::printf("  %s\n", note.c_str());
+    print_angles(measured->samples(), fit.material);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app{"How well fits find known numbers"};
     Settings settings;
     float step = 5;
-    std::string only;
+    std::string only, model = "kurt";
+    std::vector<std::string> files;
+    app.add_option("files", files, "measured files to fit instead");
+    app.add_option("--model", model, "of the files; best: the best of three");
     app.add_option("--step", step, "degrees between outgoing directions");
     app.add_option("--noise", settings.faults.ratio, "in ratio");
     app.add_option("--floor", settings.faults.floor, "of the sensor, in f");
@@ -120,7 +159,9 @@ int main(int argc, char** argv) {
     app.add_option("--only", only, "materials whose name has this in it");
     app.add_flag("--verbose", settings.verbose);
     CLI11_PARSE(app, argc, argv);
-    settings.fit.model = ModelId::kurt;
+    if (model != "best") settings.fit.model = model_by_name(model);
+    for (const std::string& file : files) print_file(file, settings.fit);
+    if (!files.empty()) return 0;
     std::printf(
         "| material | lobes right | L1 | m %% | ks r0 %% | alpha %% | kd %% | albedo %% | ks %% | r0 %% | median s | worst s "
         "|\n");

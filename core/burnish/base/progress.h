@@ -26,4 +26,12 @@ private:
     Callback m_callback;
 };
 
+/// Progress of a part of something larger: [0, 1] of the part is [begin, end] of the whole.
+inline Progress part_of(const Progress& whole, float begin, float end) {
+    return Progress([whole, begin, end](const std::string& stage, float done) {
+        whole.report(stage, begin + (end - begin) * done);
+        return true;
+    });
+}
+
 }  // namespace burnish

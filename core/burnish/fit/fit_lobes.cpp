@@ -1,4 +1,5 @@
 #include <burnish/base/error.h>
+#include <burnish/fit/brdf_error.h>
 #include <burnish/fit/fit_lobes.h>
 #include <burnish/fit/fit_notes.h>
 #include <burnish/fit/lobe_colors.h>
@@ -44,9 +45,12 @@ double whole_error(const Material& material, const Table& table) {
 
 FitResult fit_model(const Table& table, ModelId model, const FitSettings& settings, const Progress& progress) {
     FitResult result;
-    for (const Side side : {Side::reflection, Side::transmission})
-        if (table.on(side).size() > 0)
-            add_side(result, table, side, fit_side(table.on(side), side, model, table.round, settings, progress));
+    const float upper = table.lower.size() == 0 ? 1.0f : table.upper.size() == 0 ? 0.0f : 0.5f;  // share of the time
+    for (const Side side : {Side::reflection, Side::transmission}) {
+        if (table.on(side).size() == 0) continue;
+        const Progress part = side == Side::reflection ? part_of(progress, 0, upper) : part_of(progress, upper, 1);
+        add_side(result, table, side, fit_side(table.on(side), side, model, table.round, settings, part));
+    }
     result.l1 = whole_error(result.material, table);
     return result;
 }
@@ -54,9 +58,13 @@ FitResult fit_model(const Table& table, ModelId model, const FitSettings& settin
 /// The model of least error, where each number has to be worth kGainPerNumber of it.
 FitResult fit_best_model(const Table& table, const FitSettings& settings, const Progress& progress) {
     const auto price = [](const FitResult& result) { return result.l1 * (1 + kGainPerNumber * result.parameters); };
-    FitResult best = fit_model(table, kCandidates[0], settings, progress);
-    for (const ModelId model : std::span(kCandidates).subspan(1))
-        if (FitResult other = fit_model(table, model, settings, progress); price(other) < price(best)) best = std::move(other);
+    FitResult best;
+    constexpr auto kModels = static_cast<float>(std::size(kCandidates));
+    for (size_t i = 0; i < std::size(kCandidates); ++i) {
+        const auto done = static_cast<float>(i);
+        FitResult other = fit_model(table, kCandidates[i], settings, part_of(progress, done / kModels, (done + 1) / kModels));
+        if (i == 0 || price(other) < price(best)) best = std::move(other);
+    }
     return best;
 }
 
@@ -76,7 +84,9 @@ FitResult fit_lobes(std::span<const BrdfSample> samples, bool isotropic, const F
 }
 
 FitResult fit_lobes(const MeasuredBrdf& measured, const FitSettings& settings, const Progress& progress) {
-    return fit_lobes(measured.samples(), measured.is_isotropic(), settings, progress);
+    FitResult result = fit_lobes(measured.samples(), measured.is_isotropic(), settings, progress);
+    if (measured.is_isotropic()) result.normalised_l2 = brdf_error(BrdfGrid({}, measured), result.material).worst_channel();
+    return result;
 }
 
 }  // namespace burnish

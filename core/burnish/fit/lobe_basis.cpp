@@ -1,5 +1,5 @@
 #include <burnish/fit/lobe_basis.h>
-#include <burnish/material/lobe.h>
+#include <burnish/fit/lobe_transfer.h>
 
 namespace burnish {
 
@@ -9,12 +9,9 @@ void lobe_basis(const LobeParameters& lobe, const NumberRange& r0, const Transfe
     both.fresnel.eta = {static_cast<float>(r0.min), static_cast<float>(r0.max), 0};
     basis.low.resize(end - begin);
     basis.high.resize(end - begin);
-    visit_lobe(both, [&](const auto& model) {
-        for (size_t j = begin; j < end; ++j) {
-            const Color3f f = model.eval(samples.wo[j], samples.wi[j]) * samples.cosine[j];
-            basis.low[j - begin] = f.x;
-            basis.high[j - begin] = f.y;
-        }
+    for_each_transfer(both, samples, begin, end, [&](size_t j, const Color3f& p) {
+        basis.low[j - begin] = p.x;
+        basis.high[j - begin] = p.y;
     });
 }
 

@@ -1,4 +1,5 @@
 // A grey material of one side in the making: kd and lobes, each with the space it may move in, and how its p changes with its numbers.
+// Internal.
 #pragma once
 
 #include <burnish/fit/lobe_space.h>

@@ -17,8 +17,9 @@ struct SideFit {
 };
 
 /// Rule for one more lobe: it lowers the error by more than kGainPerNumber per number it adds and by more than fitting that many
-/// numbers to noise would, and it shows on more samples than it has numbers. The first is what tells a lobe from a correction to
-/// one; the others matter for small tables.
+/// numbers to noise would, and it shows on as many samples as it has numbers. The first is what tells a lobe from a correction to
+/// one; the others matter for small tables. The error is that of all samples or, if it falls by more there, of all but the hundredth
+/// that is missed most: highlights narrower than a table's grid leave readings that no lobe meets and that drown everything else.
 inline constexpr double kGainPerNumber = 0.01;
 
 /// Grey. `round`: one width per lobe. Throws Error(cancelled), and Error(bad_argument) for bounds that cannot be.

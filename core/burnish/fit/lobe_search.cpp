@@ -13,6 +13,7 @@ constexpr int kCoarse = 10, kFine = 5;  // points an axis
 constexpr int kLevels = 4;              // fine ones
 constexpr double kMaxPoints = 4096;     // of a grid; models of many numbers get coarser ones
 constexpr int kBatch = 64;              // points between two reports
+constexpr float kVisible = 0.1f;        // share of what was measured
 
 /// A grid over the free numbers of a shape: `count` points an axis, `step` apart, from `low`; in units of the ranges.
 struct Grid {
@@ -34,11 +35,11 @@ struct Grid {
 class Search {
 public:
     Search(const LobeSpace& space, const TransferSamples& samples, const std::vector<float>& target, const Progress& progress)
-        : m_space(space), m_samples(samples), m_target(target), m_progress(progress) {}
+        : m_space(space), m_samples(samples), m_measured(grey(samples.p)), m_target(target), m_progress(progress) {}
 
     std::vector<FoundLobe> run(int valleys) const {
         const Grid coarse = whole_space();
-        const std::vector<FoundLobe> points = all(coarse);
+        const std::vector<FoundLobe> points = all(coarse, part_of(m_progress, 0, kCoarseShare));
         std::vector<FoundLobe> found;
         for (const int start : valley_floors(coarse, points, valleys)) found.push_back(refined(coarse, start, points));
         std::ranges::stable_sort(found, {}, &FoundLobe::error);
@@ -46,6 +47,8 @@ public:
     }
 
 private:
+    static constexpr float kCoarseShare = 0.6f;  // of the time; the finer grids are reported as its end
+
     Grid whole_space() const {
         int free = 0;
         for (const ShapeParameter& parameter : m_space.shape) free += parameter.range.max > parameter.range.min;
@@ -69,16 +72,18 @@ private:
             fit_absolute({m_target, basis.low, basis.high, m_samples.weight}, static_cast<float>(m_space.strength.min),
                          static_cast<float>(m_space.strength.max), scratch);
         set_weights(fit.first, fit.second, m_space, found.lobe);
-        found.error = fit.error;
+        for (size_t j = 0; j < m_target.size(); ++j) basis.low[j] = fit.first * basis.low[j] + fit.second * basis.high[j];
+        const bool borne_out = is_borne_out(basis.low, m_measured, m_space.parameters());
+        found.error = borne_out ? fit.error : std::numeric_limits<double>::infinity();
         return found;
     }
 
-    std::vector<FoundLobe> all(const Grid& grid) const {
+    std::vector<FoundLobe> all(const Grid& grid, const Progress& progress) const {
         std::vector<FoundLobe> points(static_cast<size_t>(grid.points()));
         for (int begin = 0; begin < grid.points(); begin += kBatch) {
             for_each_index(std::min(kBatch, grid.points() - begin),
                            [&](int i) { points[static_cast<size_t>(begin + i)] = best_of_shape(grid.at(begin + i)); });
-            m_progress.report("search", static_cast<float>(begin) / static_cast<float>(grid.points()));
+            progress.report("search", static_cast<float>(begin) / static_cast<float>(grid.points()));
         }
         return points;
     }
@@ -97,7 +102,7 @@ private:
                                   points[static_cast<size_t>(point + side * stride)].error;
                 stride *= n;
             }
-            if (lowest) floors.push_back(point);
+            if (lowest && std::isfinite(points[static_cast<size_t>(point)].error)) floors.push_back(point);
         }
         std::ranges::stable_sort(floors, {}, [&](int point) { return points[static_cast<size_t>(point)].error; });
         floors.resize(std::min(floors.size(), static_cast<size_t>(wanted)));
@@ -115,7 +120,7 @@ private:
                 grid.step[i] *= 2.0 / (kFine - 1);
                 grid.count[i] = kFine;
             }
-            const std::vector<FoundLobe> finer = all(grid);
+            const std::vector<FoundLobe> finer = all(grid, part_of(m_progress, kCoarseShare, kCoarseShare));
             const auto lowest = std::ranges::min_element(finer, {}, &FoundLobe::error);
             centre = grid.at(static_cast<int>(lowest - finer.begin()));
             if (lowest->error < best.error) best = *lowest;
@@ -125,11 +130,18 @@ private:
 
     const LobeSpace& m_space;
     const TransferSamples& m_samples;
+    const std::vector<float> m_measured;
     const std::vector<float>& m_target;
     const Progress& m_progress;
 };
 
 }  // namespace
+
+bool is_borne_out(std::span<const float> lobe, std::span<const float> measured, int numbers) {
+    int seen = 0;
+    for (size_t j = 0; j < lobe.size(); ++j) seen += lobe[j] > kVisible * measured[j];
+    return seen >= numbers;
+}
 
 std::vector<FoundLobe> search_lobe(const LobeSpace& space, const TransferSamples& samples, const std::vector<float>& target,
                                    int valleys, const Progress& progress) {

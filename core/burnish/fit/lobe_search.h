@@ -14,8 +14,12 @@ struct FoundLobe {
     double error = 0;  // sum weight |target - p|
 };
 
-/// Up to `valleys` lobes of different shape that fit `target`, one value a sample, best first. Empty where the space's strength is
-/// bound to 0 or nothing was recorded. The same for any number of threads; throws Error(cancelled).
+/// Whether a lobe of `numbers` numbers is a visible part of what was measured on at least as many samples. One for a single bright
+/// reading, narrower than the table can tell, is not.
+bool is_borne_out(std::span<const float> lobe, std::span<const float> measured, int numbers);
+
+/// Up to `valleys` lobes of different shape that fit `target`, one value a sample, best first, all of them borne out by the samples. Empty
+/// where there is none. The same for any number of threads; throws Error(cancelled).
 std::vector<FoundLobe> search_lobe(const LobeSpace& space, const TransferSamples& samples, const std::vector<float>& target,
                                    int valleys, const Progress& progress);
 

@@ -1,6 +1,6 @@
 #include <burnish/base/parallel.h>
+#include <burnish/fit/lobe_transfer.h>
 #include <burnish/fit/transfer_samples.h>
-#include <burnish/material/lobe.h>
 
 #include <algorithm>
 #include <array>
@@ -141,11 +141,8 @@ std::vector<Color3f> model_transfer(const Material& material, const TransferSamp
             for (size_t j = begin; j < end; ++j) p[j] = material.kd * (samples.cosine[j] / kPi);
         for (const LobeParameters& lobe : material.lobes) {
             if (lobe.side != side) continue;
-            visit_lobe(lobe, [&](const auto& model) {
-                const Color3f factor = lobe.tint * lobe.strength;
-                for (size_t j = begin; j < end; ++j)
-                    p[j] += factor * model.eval(samples.wo[j], samples.wi[j]) * samples.cosine[j];
-            });
+            const Color3f factor = lobe.tint * lobe.strength;
+            for_each_transfer(lobe, samples, begin, end, [&](size_t j, const Color3f& value) { p[j] += factor * value; });
         }
     });
     return p;

@@ -1,5 +1,8 @@
 #include <burnish/job/setting_sections.h>
 
+#include <burnish/material/measured/read_measured.h>
+#include <burnish/material/measured/table_files.h>
+
 #include <algorithm>
 
 namespace burnish {
@@ -23,6 +26,18 @@ std::vector<std::string_view> known_keys(std::string_view section) {
     return keys;
 }
 
+/// The value with its paths as from `folder`.
+json with_paths_in(const Setting& setting, const json& value, const std::filesystem::path& folder) {
+    if (setting.kind == SettingKind::path && value.is_string()) return in_folder(value.get<std::string>(), folder);
+    if (setting.kind != SettingKind::materials || !value.is_object()) return value;
+    json materials = json::object();
+    for (const auto& [name, material] : value.items())
+        materials[name] = material.is_string() && is_measured_name(material.get<std::string>())
+                              ? json(in_folder(material.get<std::string>(), folder))
+                              : with_tables_in(material, folder);
+    return materials;
+}
+
 }  // namespace
 
 bool is_section(std::string_view key) {
@@ -34,9 +49,7 @@ void set_field(Job& job, std::string_view section, const std::string& key, const
                const std::filesystem::path& folder) {
     const Setting* setting = find_setting(section, key);
     if (!setting) fail_unknown(where, "field", key, known_keys(section));
-    const bool is_path = setting->kind == SettingKind::path && value.is_string();
-    setting->set(job, is_path ? json(in_folder(value.get<std::string>(), folder)) : value,
-                 where + (section.empty() ? ": " : ".") + key);
+    setting->set(job, with_paths_in(*setting, value, folder), where + (section.empty() ? ": " : ".") + key);
 }
 
 void set_section(Job& job, std::string_view section, const json& fields, const std::string& where,

@@ -13,6 +13,10 @@ struct Held final : AnyModel::Interface {
     std::shared_ptr<const Interface> with_widths(float mx, float my) const override {
         return std::make_shared<Held>(model.with_widths(mx, my));
     }
+    std::shared_ptr<const Interface> blurred(const Vec2f& variance) const override {
+        if constexpr (requires { model.blurred(variance); }) return std::make_shared<Held>(model.blurred(variance));
+        return nullptr;
+    }
     Color3f eval(const Vec3f& wo, const Vec3f& wi) const override { return model.eval(wo, wi); }
     float pdf(const Vec3f& wo, const Vec3f& wi) const override { return model.pdf(wo, wi); }
     Vec3f sample(const Vec3f& wo, const Vec2f& u) const override { return model.sample(wo, u); }
@@ -48,6 +52,12 @@ AnyModel::AnyModel(std::shared_ptr<const Interface> model, float mx, float my)
 
 AnyModel AnyModel::with_widths(float mx, float my) const {
     return mx == m_mx && my == m_my ? *this : AnyModel(m_model->with_widths(mx, my), mx, my);
+}
+
+AnyModel AnyModel::blurred(const Vec2f& variance) const {
+    const float mx = std::sqrt(m_mx * m_mx + variance.x), my = std::sqrt(m_my * m_my + variance.y);
+    const std::shared_ptr<const Interface> own = m_model->blurred(variance);
+    return own ? AnyModel(own, mx, my) : with_widths(mx, my);
 }
 
 float prepare(LobeParameters& lobe) {

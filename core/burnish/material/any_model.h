@@ -15,6 +15,8 @@ public:
     explicit AnyModel(const LobeParameters& p);
 
     AnyModel with_widths(float mx, float my) const;
+    /// Seen through Gaussian slopes: the model of widths sqrt(m^2 + variance), or what it says itself where stretched slopes will not do.
+    AnyModel blurred(const Vec2f& variance) const;
     Color3f eval(const Vec3f& wo, const Vec3f& wi) const { return m_model->eval(wo, wi); }
     float pdf(const Vec3f& wo, const Vec3f& wi) const { return m_model->pdf(wo, wi); }
     Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return m_model->sample(wo, u); }
@@ -30,6 +32,7 @@ public:
     struct Interface {
         virtual ~Interface() = default;
         virtual std::shared_ptr<const Interface> with_widths(float mx, float my) const = 0;
+        virtual std::shared_ptr<const Interface> blurred(const Vec2f& variance) const = 0;  // null: by its widths
         virtual Color3f eval(const Vec3f& wo, const Vec3f& wi) const = 0;
         virtual float pdf(const Vec3f& wo, const Vec3f& wi) const = 0;
         virtual Vec3f sample(const Vec3f& wo, const Vec2f& u) const = 0;

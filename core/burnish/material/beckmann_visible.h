@@ -70,4 +70,12 @@ inline Vec3f sample_visible_normal(const BeckmannDistribution& normals, const Ve
     return m / std::sqrt(m.length2());
 }
 
+/// Beckmann's normals drawn as they are seen: p(wi) = D(h) / (4 area(wo)).
+struct VisibleBeckmann : BeckmannDistribution {
+    using BeckmannDistribution::BeckmannDistribution;
+
+    Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return sample_visible_normal(*this, wo, u); }
+    float pdf(const Vec3f& wo, const HalfVector& h) const { return D(h.wm) / (4 * visible_area(*this, wo)); }
+};
+
 }  // namespace burnish

@@ -18,15 +18,17 @@ struct CosineLobe {
     /// (axis . w)^n, exact for narrow lobes too; unit vectors.
     float raised(const Vec3f& axis, const Vec3f& w) const {
         const float versine = 0.5f * (axis - w).length2();
-        return versine < 1 ? std::exp(exponent * std::log1p(-versine)) : 0.0f;
+        if (versine >= 1) return 0;
+        const float e = -exponent * std::log1p(-versine);
+        return e < kFarTail ? std::exp(-e) : 0.0f;
     }
 
     /// Density of `sample` in 1/sr: (n + 1) / (2 pi) cos^n, integral 1 over the sphere.
     float pdf(const Vec3f& axis, const Vec3f& w) const { return (exponent + 1) / (2 * kPi) * raised(axis, w); }
 
     Vec3f sample(const Vec3f& axis, const Vec2f& u) const {
-        const float versine = -std::expm1(std::log(1 - u.x) / (exponent + 1)), sine = std::sqrt(versine * (2 - versine)),
-                    phi = 2 * kPi * u.y;
+        const float versine = -std::expm1(std::log(1 - u.x) / (exponent + 1)), phi = 2 * kPi * u.y;
+        const float sine = std::sqrt(versine * (2 - versine));
         return Frame::around(axis).to_world({sine * std::cos(phi), sine * std::sin(phi), 1 - versine});
     }
 };

@@ -1,5 +1,6 @@
 #include <burnish/material/describe.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
 
 #include <algorithm>
@@ -21,12 +22,25 @@ constexpr const char* kSharedFields = R"(fields of every lobe
   per_pixel                  list of what the frame's layers replace: roughness anisotropy rotation tint weight
 )";
 
-void describe(const ModelInfo& model, std::ostream& text) {
-    text << "  " << std::left << std::setw(12) << model.name << model.summary << "\n"
-         << std::setw(14) << "" << model.source << (model.reciprocal ? "" : "; not reciprocal") << "\n";
+size_t longest_name(const auto& named) {
+    size_t longest = 0;
+    for (const auto& one : named) longest = std::max(longest, one.name.size());
+    return longest;
+}
+
+/// What sets a model apart from one with widths mx, my and f(wo, wi) = f(wi, wo).
+std::string marks(const ModelInfo& model) {
+    return std::string(model.reciprocal ? "" : "; not reciprocal") + (model.anisotropic ? "" : "; round only") +
+           (model.own_width ? "; has a width of its own, stretched to m" : "");
+}
+
+void describe(const ModelInfo& model, size_t name_width, std::ostream& text) {
+    const std::string indent(name_width + 4, ' ');
+    text << "  " << std::left << std::setw(static_cast<int>(name_width) + 2) << model.name << model.summary << "\n"
+         << indent << model.source << marks(model) << "\n";
     for (const ModelParameter& parameter : model.parameters)
-        text << std::setw(14) << "" << parameter.name << " = " << parameter.value << " in [" << parameter.min << ", "
-             << parameter.max << "]: " << parameter.help << "\n";
+        text << indent << parameter.name << " = " << parameter.value << (parameter.per_channel ? " per channel" : "") << " in ["
+             << parameter.min << ", " << parameter.max << "]: " << parameter.help << "\n";
 }
 
 void describe(const LobeParameters& lobe, std::ostream& text) {
@@ -44,16 +58,30 @@ void describe(const Material& preset, size_t name_width, std::ostream& text) {
     text << "\n";
 }
 
+/// Names without their common prefix, filled to lines.
+void describe_library(std::ostream& text) {
+    constexpr size_t kLine = 110;
+    const std::string prefix = "merl:";
+    text << "\nlibrary: " << library_names().size() << " measured materials (MERL) as sgd lobes, used as " << prefix
+         << "NAME\n";
+    std::string line = " ";
+    for (const std::string& name : library_names()) {
+        const std::string word = " " + name.substr(prefix.size());
+        if (line.size() + word.size() > kLine) text << line << "\n", line = " ";
+        line += word;
+    }
+    text << line << "\n";
+}
+
 }  // namespace
 
 std::string describe_models() {
     std::ostringstream text;
     text << "models\n";
-    for (const ModelInfo& model : models()) describe(model, text);
+    for (const ModelInfo& model : models()) describe(model, longest_name(models()), text);
     text << "\n" << kSharedFields << "\npresets (model, slope widths)\n";
-    size_t name_width = 0;
-    for (const Material& preset : presets()) name_width = std::max(name_width, preset.name.size());
-    for (const Material& preset : presets()) describe(preset, name_width, text);
+    for (const Material& preset : presets()) describe(preset, longest_name(presets()), text);
+    describe_library(text);
     return text.str();
 }
 

@@ -1,8 +1,7 @@
 // What models share that are drawn by their half vectors: all but the equation.
 //
-//     sample h with density D cos(theta_h), so p(wi) = D(h) cos(theta_h) / (4 (wo.h))
-//
-// A model states `shape(wo, wi, h)`, what is left of f when F D is taken out.
+// A model states `shape(wo, wi, h)`, what is left of f when F D is taken out, and its normals: D, border, how a half vector is drawn
+// for a view, and the density of the directions wi that come of it.
 #pragma once
 
 #include <burnish/material/microfacet.h>
@@ -29,11 +28,10 @@ public:
 
     float pdf(const Vec3f& wo, const Vec3f& wi) const {
         if (!above_surface(wo, wi)) return 0;
-        const HalfVector h(wo, wi);
-        return m_normals.D(h.wm) * h.wm.z / (4 * h.cos_theta_d);
+        return m_normals.pdf(wo, HalfVector(wo, wi));
     }
 
-    Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return reflect(wo, m_normals.sample(u)); }
+    Vec3f sample(const Vec3f& wo, const Vec2f& u) const { return reflect(wo, m_normals.sample(wo, u)); }
     float D(const Vec3f& wm) const { return m_normals.D(wm); }
     float border(float xi) const { return m_normals.border(xi); }
 

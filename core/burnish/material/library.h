@@ -20,7 +20,8 @@ std::span<const Material> presets();
 Material material_from_json(const nlohmann::json& json, const std::string& name, const std::string& where);
 nlohmann::json material_to_json(const Material& material);
 
-/// A material by what a user types: a preset's name, or the path of a JSON file holding one material.
+/// A material by what a user types: a preset's name, "merl:NAME" (measured_library.h), the path of a JSON file holding one material,
+/// whose tables are relative to its folder, or the path of a measurement (read_measured.h).
 Material find_material(const std::string& name_or_file);
 
 }  // namespace burnish

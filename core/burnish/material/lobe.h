@@ -23,6 +23,11 @@ struct Lobe {
     float D(const Vec3f& wm) const { return model.D(wm); }
     float border(float xi0) const { return model.border(xi0); }
     Lobe with_widths(float mx, float my) const { return {model.with_widths(mx, my), side_sign}; }
+    /// This lobe, which has the widths mx and my, seen through Gaussian slopes: of widths sqrt(m^2 + variance).
+    Lobe blurred(float mx, float my, const Vec2f& variance) const {
+        if constexpr (requires { model.blurred(variance); }) return {model.blurred(variance), side_sign};
+        return with_widths(std::sqrt(mx * mx + variance.x), std::sqrt(my * my + variance.y));
+    }
 };
 
 /// Calls `visit(Lobe<M>)` with the lobe's own model type, AnyModel for the ones that kernels are not compiled for.

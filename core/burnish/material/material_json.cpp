@@ -7,6 +7,7 @@
 #include <burnish/base/json_fields.h>
 #include <burnish/material/any_model.h>
 #include <burnish/material/library.h>
+#include <burnish/material/measured/table_files.h>
 #include <burnish/material/metals.h>
 #include <burnish/material/microfacet.h>
 #include <burnish/material/model.h>
@@ -43,6 +44,7 @@ Names lobe_keys(const ModelInfo& model) {
     Names keys{"model", "ks", "kt",  "tint",      "m",   "mx",  "my", "roughness", "anisotropy", "rotation_deg",
                "r0",    "f1", "dip", "dip_power", "ior", "eta", "k",  "metal",     "per_pixel"};
     for (const ModelParameter& parameter : model.parameters) keys.push_back(parameter.name);
+    if (model.name == model_info(ModelId::table).name) keys.push_back("table");
     return keys;
 }
 
@@ -121,15 +123,19 @@ void read_parameters(const JsonFields& fields, LobeParameters& lobe) {
         lobe.extra.insert(lobe.extra.end(), {value.x, value.y, value.z});
         if (!parameter.per_channel) lobe.extra.resize(lobe.extra.size() - 2);
     }
-    if (!info.anisotropic && (lobe.mx != lobe.my))
-        throw Error(ErrorCode::bad_argument, fields.path("model") + ": " + std::string(info.name) +
-                                                 " is a round lobe; give it one width m, or take another model");
     if (const float own_width = prepare(lobe); own_width > 0 && !names_width(fields)) lobe.mx = lobe.my = own_width;
 }
 
-LobeParameters lobe_from_json(const JsonFields& fields, ModelId default_model) {
+/// What lobes take from their material: the model where they name none, the diffuse part, the tables that were read.
+struct Surroundings {
+    ModelId model;
+    Color3f kd;
+    TableFiles& tables;
+};
+
+LobeParameters lobe_from_json(const JsonFields& fields, const Surroundings& material) {
     LobeParameters lobe;
-    lobe.model = model_from_json(fields, default_model);
+    lobe.model = model_from_json(fields, material.model);
     fields.expect_at_most_one(std::array<std::string_view, 2>{"ks", "kt"});
     lobe.side = fields.has("kt") ? Side::transmission : Side::reflection;
     lobe.strength = fields.number(fields.has("kt") ? "kt" : "ks", kStrength, 1);
@@ -139,8 +145,13 @@ LobeParameters lobe_from_json(const JsonFields& fields, ModelId default_model) {
     lobe.rotation = static_cast<float>(fields.number("rotation_deg", {-360, 360}, 0) * kDegree);
     lobe.fresnel = fresnel_from_json(fields);
     lobe.fresnel.complement = lobe.side == Side::transmission && lobe.fresnel.kind != FresnelKind::none;
+    table_from_json(fields, lobe, material.kd, material.tables);
     read_parameters(fields, lobe);
+    if (!names_width(fields)) take_table_widths(lobe);
     lobe.per_pixel = per_pixel_from_json(fields);
+    if (const ModelInfo& info = model_info(lobe.model); !info.anisotropic && lobe.is_anisotropic())
+        throw Error(ErrorCode::bad_argument, fields.path("model") + ": " + std::string(info.name) +
+                                                 " is a round lobe; give it one width m, or take another model");
     return lobe;
 }
 
@@ -181,31 +192,30 @@ json lobe_to_json(const LobeParameters& lobe) {
             parameter.per_channel ? to_json_color(Color3f(value[0], value[1], value[2])) : to_json_number(*value);
         value += parameter.per_channel ? 3 : 1;
     }
+    if (const std::string table = table_of(lobe); !table.empty()) result["table"] = table;
     for (const PerPixelName& entry : kPerPixel)
         if (lobe.per_pixel.*entry.flag) result["per_pixel"].push_back(entry.name);
     return result;
 }
 
-std::vector<LobeParameters> lobes_from_json(const JsonFields& material) {
+std::vector<LobeParameters> lobes_from_json(const JsonFields& material, const Surroundings& own) {
     material.expect_only(std::array<std::string_view, 4>{"model", "kd", "kd_coupled", "lobes"});
-    const ModelId default_model = model_from_json(material, ModelId::kurt);
     const json& list = material.at("lobes");
     if (!list.is_array()) fail_expected(material.path("lobes"), "a list of lobes [{...}]", list);
     std::vector<LobeParameters> lobes;
     for (size_t i = 0; i < list.size(); ++i) {
         const JsonFields lobe(list[i], material.path("lobes[" + std::to_string(i) + "]"));
-        lobe.expect_only(lobe_keys(model_info(model_from_json(lobe, default_model))));
-        lobes.push_back(lobe_from_json(lobe, default_model));
+        lobe.expect_only(lobe_keys(model_info(model_from_json(lobe, own.model))));
+        lobes.push_back(lobe_from_json(lobe, own));
     }
     return lobes;
 }
 
-LobeParameters single_lobe_from_json(const JsonFields& material) {
-    const ModelId model = model_from_json(material, ModelId::kurt);
-    Names known = lobe_keys(model_info(model));
+LobeParameters single_lobe_from_json(const JsonFields& material, const Surroundings& own) {
+    Names known = lobe_keys(model_info(own.model));
     known.insert(known.end(), {"kd", "kd_coupled", "lobes"});
     material.expect_only(known);
-    return lobe_from_json(material, model);
+    return lobe_from_json(material, own);
 }
 
 }  // namespace
@@ -215,13 +225,15 @@ Material material_from_json(const json& value, const std::string& name, const st
     if (value.empty()) fail_expected(where, "a lobe, \"lobes\" or \"kd\"", value);
     Material material;
     material.name = name;
-    material.kd = fields.color("kd", kReflectivity, Color3f(0));
+    TableFiles tables;
+    material.kd = kd_from_json(value, fields, kReflectivity, tables);
+    const Surroundings own{model_from_json(fields, ModelId::kurt), material.kd, tables};
     material.kd_coupled = fields.boolean("kd_coupled", false);
     const bool only_diffuse = fields.has("kd") && value.size() == (fields.has("kd_coupled") ? 2 : 1);
     if (fields.has("lobes"))
-        material.lobes = lobes_from_json(fields);
+        material.lobes = lobes_from_json(fields, own);
     else if (!only_diffuse)
-        material.lobes = {single_lobe_from_json(fields)};
+        material.lobes = {single_lobe_from_json(fields, own)};
     return material;
 }
 

@@ -12,6 +12,9 @@ inline constexpr float kMinCosine = 1e-6f;
 /// Narrower lobes are mirrors to a float; keeps 1 / (mx my) finite.
 inline constexpr float kMinWidth = 1e-4f;
 
+/// exp(-80) = 2e-35, the end of float: lobes are 0 from there on.
+inline constexpr float kFarTail = 80.0f;
+
 inline bool above_surface(const Vec3f& wo, const Vec3f& wi) { return wo.z > kMinCosine && wi.z > kMinCosine; }
 
 /// The microfacet normal half way between two directions on the same side, and its cosine to both: wo . wm = |wo + wi| / 2.
@@ -70,7 +73,6 @@ struct BeckmannDistribution {
     float my() const { return m_my; }
 
 private:
-    static constexpr float kFarTail = 80.0f;  // exp(-80) = 2e-35, the end of float
     static constexpr float kBelowOne = 0x1.fffffep-1f;
 
     float m_mx, m_my, m_inv_mx2, m_inv_my2, m_peak;

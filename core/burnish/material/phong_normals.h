@@ -23,16 +23,20 @@ struct PhongNormals {
         const float tan2 = (x2 + y2) * inv_z2, log_inv_cos2 = std::log1p(tan2);
         const float m_tan2 = (x2 * m_inv_mx2 + y2 * m_inv_my2) * inv_z2;  // (n + 1) tan^2 / 2
         const float bent = tan2 > 0 ? log_inv_cos2 / tan2 : 1.0f;
-        return m_peak * std::exp(log_inv_cos2 - m_tan2 * bent);
+        const float e = m_tan2 * bent - log_inv_cos2;
+        return e < kFarTail ? m_peak * std::exp(-e) : 0.0f;
     }
 
-    /// Draws wm with density D cos: 1 / cos^2 = (1 - u.x)^(-m^2(phi)) along the stretched angle 2 pi u.y.
-    Vec3f sample(const Vec2f& u) const {
+    /// Draws wm with density D cos, for any view: 1 / cos^2 = (1 - u.x)^(-m^2(phi)) along the stretched angle 2 pi u.y.
+    Vec3f sample(const Vec3f&, const Vec2f& u) const {
         const float psi = 2 * kPi * u.y, x = m_mx * std::cos(psi), y = m_my * std::sin(psi), m2 = x * x + y * y;
         const float tan2 = std::expm1(-m2 * std::log(1 - std::min(u.x, kBelowOne)));
         const float scale = std::sqrt(tan2 / m2), z = 1 / std::sqrt(1 + tan2);
         return {x * scale * z, y * scale * z, z};
     }
+
+    /// Density of the directions wi that the draws reflect to.
+    float pdf(const Vec3f&, const HalfVector& h) const { return D(h.wm) * h.wm.z / (4 * h.cos_theta_d); }
 
     /// tan(theta) / m beyond which the share xi of the slopes lies, for the mean of the widths: (1 + m^2 r^2)^(-1 / m^2) = xi.
     float border(float xi) const {

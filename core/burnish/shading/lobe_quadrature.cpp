@@ -1,6 +1,7 @@
 #include <burnish/shading/lobe_quadrature.h>
 
 #include <burnish/material/lobe.h>
+#include <burnish/sampling/lobe_pattern.h>
 #include <burnish/shading/lobe_image.h>
 
 #include <algorithm>
@@ -36,36 +37,41 @@ std::vector<GridPoint> polar_grid(float border, bool half) {
     return grid;
 }
 
-LobeQuadrature sharp_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half) {
-    return visit_lobe(parameters, [&](const auto& lobe) {
-        LobeQuadrature q{};
-        Imath::V3d albedo(0);
-        for (const GridPoint& point : polar_grid(lobe.border(kShareBeyond), half)) {
-            const float sx = point.u * parameters.mx, sy = point.v * parameters.my;
-            const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
-            const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
-            const float wo_h = wo.dot(h);
-            if (wo_h <= 0) continue;
-            const Vec3f wi = reflect(wo, h);
-            const float area = 4 * wo_h * point.area * parameters.mx * parameters.my * cos_h * cos_h * cos_h;
-            const Color3f value = wi.z > 0 ? lobe.eval(wo, lobe.mirrored(wi)) * wi.z : Color3f(0);
-            q.x.push_back(wi.x), q.y.push_back(wi.y), q.z.push_back(wi.z), q.root_area.push_back(std::sqrt(area));
-            for (int k = 0; k < 3; ++k) q.value[static_cast<size_t>(k)].push_back(value[k]);
-            albedo += Imath::V3d(value) * area;
-        }
-        q.albedo = Color3f(Vec3f(albedo));
-        q.farthest = kFarthest * std::max(parameters.mx, parameters.my);
-        q.finest = kFinest * std::min(parameters.mx, parameters.my) * std::max(wo.z, kGrazing);
-        return q;
-    });
+template <class LobeType>
+LobeQuadrature quadrature_of(const LobeType& lobe, float mx, float my, const Vec3f& wo, bool half) {
+    LobeQuadrature q{};
+    Imath::V3d albedo(0);
+    for (const GridPoint& point : polar_grid(lobe.border(kShareBeyond), half)) {
+        const float sx = point.u * mx, sy = point.v * my;
+        const float cos_h = 1 / std::sqrt(1 + sx * sx + sy * sy);
+        const Vec3f h = Vec3f(sx, sy, 1) * cos_h;
+        const float wo_h = wo.dot(h);
+        if (wo_h <= 0) continue;
+        const Vec3f wi = reflect(wo, h);
+        const float area = 4 * wo_h * point.area * mx * my * cos_h * cos_h * cos_h;
+        const Color3f value = wi.z > 0 ? lobe.eval(wo, lobe.mirrored(wi)) * wi.z : Color3f(0);
+        q.x.push_back(wi.x), q.y.push_back(wi.y), q.z.push_back(wi.z), q.root_area.push_back(std::sqrt(area));
+        for (int k = 0; k < 3; ++k) q.value[static_cast<size_t>(k)].push_back(value[k]);
+        albedo += Imath::V3d(value) * area;
+    }
+    q.albedo = Color3f(Vec3f(albedo));
+    q.farthest = kFarthest * std::max(mx, my);
+    q.finest = kFinest * std::min(mx, my) * std::max(wo.z, kGrazing);
+    return q;
 }
 
-/// A degree, more for wide lobes and less for lobes that are not much wider themselves; and where a row of so many Gaussians as
+/// How narrow the lobe's peak is: the slopes that hold its first tenth, over those of a Gaussian lobe; 1 for all lobes without one.
+float peak_width(const LobeParameters& lobe) {
+    constexpr float kBeyond = 0.9f;
+    return visit_lobe(lobe, [&](const auto& own) { return std::min(own.border(kBeyond) / gaussian_radius(kBeyond), 1.0f); });
+}
+
+/// A degree, more for wide lobes and less for peaked ones, and for lobes that are not much wider themselves; and where a row of so many Gaussians as
 /// narrow as an anisotropic lobe would leave gaps, as much as closes them: light that falls into gaps is worse than a wider
 /// lobe. (Round lobes, long at grazing angles only, lose by that: there the horizon makes a wider lobe another lobe.)
-float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
+float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps, float peak) {
     const LobeImage image = lobe_image(wo, lobe.mx, lobe.my);
-    const float detail = 0.01f + 0.035f * image.major, gap = kGap * image.major / static_cast<float>(taps);
+    const float detail = (0.01f + 0.035f * image.major) * peak, gap = kGap * image.major / static_cast<float>(taps);
     const float closing = lobe.mx == lobe.my ? 0 : std::sqrt(std::max(gap * gap - image.minor * image.minor, 0.0f));
     return std::min(std::max(detail, closing), 0.35f * image.major);
 }
@@ -73,19 +79,19 @@ float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps) {
 }  // namespace
 
 LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half, int taps) {
-    const LobeQuadrature sharp = sharp_quadrature(parameters, wo, half);
-    const float blur = blur_for(parameters, wo, taps);
+    const float blur = blur_for(parameters, wo, taps, peak_width(parameters)), mx = parameters.mx, my = parameters.my;
     const Vec2f wider = widening(wo, blur);
-    LobeParameters blurred = parameters;
-    blurred.mx = std::sqrt(parameters.mx * parameters.mx + wider.x);
-    blurred.my = std::sqrt(parameters.my * parameters.my + wider.y);
-    LobeQuadrature q = sharp_quadrature(blurred, wo, half);
-    for (int k = 0; k < 3; ++k) {
-        if (!(q.albedo[k] > 0)) continue;
-        for (float& value : q.value[static_cast<size_t>(k)]) value *= sharp.albedo[k] / q.albedo[k];
-    }
-    q.albedo = sharp.albedo, q.farthest = sharp.farthest, q.finest = sharp.finest, q.blur = blur;
-    return q;
+    return visit_lobe(parameters, [&](const auto& lobe) {
+        const LobeQuadrature sharp = quadrature_of(lobe, mx, my, wo, half);
+        LobeQuadrature q =
+            quadrature_of(lobe.blurred(mx, my, wider), std::sqrt(mx * mx + wider.x), std::sqrt(my * my + wider.y), wo, half);
+        for (int k = 0; k < 3; ++k) {
+            if (!(q.albedo[k] > 0)) continue;
+            for (float& value : q.value[static_cast<size_t>(k)]) value *= sharp.albedo[k] / q.albedo[k];
+        }
+        q.albedo = sharp.albedo, q.farthest = sharp.farthest, q.finest = sharp.finest, q.blur = blur;
+        return q;
+    });
 }
 
 }  // namespace burnish

@@ -81,7 +81,7 @@ TEST(SliceFit, TheMaterialIsTheFit) {
         });
         const SliceFit found = fit(grid, one_lobe(model));
         const Material again = material_from_json(material_to_json(found.result.material), model, model);
-        const double error = found.result.normalised_l2;
+        const double error = *found.result.normalised_l2;
         EXPECT_NEAR(brdf_error(grid, again).worst_channel(), error, 0.02 * error + 2e-4) << model;
         EXPECT_LT(error, exact ? 1e-3 : 0.05) << model;
     }
@@ -158,7 +158,7 @@ TEST(SliceFit, BlackIsBlack) {
     const SliceFit found = fit(grey_grid(kSmall, [](const GridAngles&) { return 0; }), one_lobe("sgd"));
     EXPECT_NEAR(found.result.material.kd.x, 0, 1e-6);
     EXPECT_TRUE(found.result.material.lobes.empty());
-    EXPECT_EQ(found.result.normalised_l2, 0);
+    EXPECT_EQ(*found.result.normalised_l2, 0);
 }
 
 TEST(SliceFit, SameBitsForAnyNumberOfThreads) {

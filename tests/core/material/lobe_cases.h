@@ -2,6 +2,8 @@
 #pragma once
 
 #include <burnish/material/lobe.h>
+#include <burnish/material/measured/measured_lobe.h>
+#include <burnish/material/measured/merl_table.h>
 #include <core/chi_square.h>
 
 #include <sstream>
@@ -16,12 +18,23 @@ inline Vec3f direction_deg(double theta_deg, double phi_deg) {
             static_cast<float>(std::cos(t))};
 }
 
+/// What the model `table` shows in these tests: a tabulated metal with a long tail.
+inline std::shared_ptr<const LobeData> synthetic_table() {
+    LobeParameters metal;
+    metal.model = ModelId::ggx, metal.mx = metal.my = 0.2f, metal.fresnel = {FresnelKind::schlick, Color3f(0.9f, 0.7f, 0.4f)};
+    static const auto measured =
+        std::make_shared<const MerlTable>([metal](const Vec3f& wo, const Vec3f& wi) { return Ggx(metal).eval(wo, wi); });
+    static const auto lobe = std::make_shared<const MeasuredLobe>(measured, Side::reflection, Color3f(0));
+    return lobe;
+}
+
 inline LobeParameters make_lobe(ModelId model, float mx, float my, Side side = Side::reflection) {
     LobeParameters lobe;
     lobe.model = model;
     lobe.side = side;
     lobe.mx = mx, lobe.my = my;
     lobe.extra = default_parameters(model_info(model));
+    if (model == ModelId::table) lobe.data = synthetic_table();
     return lobe;
 }
 

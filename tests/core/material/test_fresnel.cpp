@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <complex>
 #include <fstream>
 #include <map>
@@ -82,6 +83,39 @@ TEST(Fresnel, StaysBetweenZeroAndOneForCosinesSlightlyOutOfRange) {
             const Color3f F = Fresnel{kind, Color3f(0.5f), Color3f(2)}(c);
             EXPECT_TRUE(F.x >= 0 && F.x <= 1) << static_cast<int>(kind) << " " << c;
         }
+}
+
+TEST(Fresnel, GeneralisedSchlickBendsTheCurveByItsSlope) {
+    const Fresnel F{FresnelKind::generalised_schlick, {0.5f, 0.05f, 1.5f}, {0.2f, 0.3f, 0.7f}};
+    EXPECT_NEAR(F(1).x, 0.3f, 1e-6f);
+    EXPECT_EQ(F(1).y, 0) << "not below black";
+    EXPECT_NEAR(F(1).z, 0.8f, 1e-6f);
+    EXPECT_EQ(F(0), Color3f(1));
+    EXPECT_NEAR(F(0.5f).x, 0.5f + 0.5f / 32 - 0.1f, 1e-6f);
+    const Fresnel straight{FresnelKind::generalised_schlick, Color3f(0.3f)}, plain{FresnelKind::schlick, Color3f(0.3f)};
+    for (const float c : kCosines) EXPECT_EQ(straight(c), plain(c));
+}
+
+TEST(Fresnel, LazanyisDipHalvesSchlicksErrorOnMetals) {
+    for (const std::string_view name : {"aluminium", "copper", "chromium"}) {
+        const auto metal = std::ranges::find(metals(), name, &Metal::name);
+        const auto exact = [&](double c) { return fresnel_by_amplitudes({metal->eta.y, metal->k.y}, c); };
+        const float r0 = static_cast<float>(exact(1));
+        const Fresnel schlick{FresnelKind::schlick, Color3f(r0)};
+        Fresnel lazanyi{FresnelKind::lazanyi, Color3f(r0)};
+        double overlap = 0, norm = 0;  // the dip of least squares: what Schlick has too much, along c (1 - c)^power
+        for (int i = 0; i <= 100; ++i) {
+            const double c = i / 100.0, shape = c * std::pow(1 - c, double(lazanyi.power));
+            overlap += shape * (schlick(static_cast<float>(c)).y - exact(c)), norm += shape * shape;
+        }
+        lazanyi.k = Color3f(static_cast<float>(overlap / norm));
+        double plain = 0, dipped = 0;
+        for (int i = 0; i <= 100; ++i) {
+            const float c = static_cast<float>(i) / 100;
+            plain += std::pow(schlick(c).y - exact(c), 2), dipped += std::pow(lazanyi(c).y - exact(c), 2);
+        }
+        EXPECT_LT(std::sqrt(dipped), 0.5 * std::sqrt(plain)) << name;
+    }
 }
 
 TEST(Metals, ReflectWhatTheMeasuredSpectraReflect) {

@@ -35,6 +35,7 @@ void expect_same(const Fresnel& a, const Fresnel& b) {
     EXPECT_EQ(a.eta, b.eta);
     EXPECT_EQ(a.k, b.k);
     EXPECT_EQ(a.complement, b.complement);
+    EXPECT_EQ(a.power, b.power);
 }
 
 void expect_same(const LobeParameters& a, const LobeParameters& b) {
@@ -137,6 +138,14 @@ TEST(MaterialJson, ComplaintsNameFieldExpectedFoundAndNearest) {
         {R"({"lobes": [[]]})", "brass.lobes[0]: expected an object {...}, found []"},
         {R"([1, 2, 3, 4, 5])", "materials.brass: expected an object {...}, found a list of 5 entries"},
         {R"({})", "materials.brass: expected a lobe"},
+        {R"({"model": "blinn_phong"})", "did you mean \"blinn-phong\"?"},
+        {R"({"model": "lewis", "mx": 0.1, "my": 0.2})", "brass.model: lewis is a round lobe; give it one width m"},
+        {R"({"model": "oren-nayar", "m": 0.1, "anisotropy": 0.5})", "brass.model: oren-nayar is a round lobe"},
+        {R"({"model": "phong", "per_pixel": ["anisotropy"]})", "brass.model: phong is a round lobe"},
+        {R"({"model": "abc", "C": -1})", "brass.C: expected a number from 0 to 10, found -1"},
+        {R"({"r0": 0.5, "f1": 0.1, "dip": 0.1})", "both \"f1\" and \"dip\" are given"},
+        {R"({"f1": 0.1})", "field \"r0\" is missing"},
+        {R"({"r0": 0.5, "dip": 0.1, "dip_power": 0})", "brass.dip_power: expected a number from 1 to 20, found 0"},
     };
     for (const auto& [text, expected] : cases)
         EXPECT_NE(complaint(text).find(expected), std::string::npos) << text << "\n" << complaint(text);
@@ -153,6 +162,37 @@ TEST(MaterialJson, RoundTripsEveryPresetAndModel) {
         ASSERT_EQ(again.lobes.size(), material.lobes.size()) << material.name;
         for (size_t i = 0; i < again.lobes.size(); ++i) expect_same(again.lobes[i], material.lobes[i]);
     }
+}
+
+TEST(MaterialJson, RoundTripsEveryParameterOfEveryModel) {
+    for (const ModelInfo& model : models()) {
+        Material material{"all", Color3f(0), {LobeParameters{}}};
+        LobeParameters& lobe = material.lobes[0];
+        lobe.model = model_by_name(model.name);
+        lobe.mx = 0.25f, lobe.my = model.anisotropic ? 0.125f : 0.25f;
+        for (const ModelParameter& parameter : model.parameters)
+            for (const float share : {0.2f, 0.4f, 0.7f})
+                if (share == 0.2f || parameter.per_channel)
+                    lobe.extra.push_back(parameter.min + share * (parameter.max - parameter.min));
+        const Material again = material_from_json(json::parse(material_to_json(material).dump()), "all", "again");
+        expect_same(again.lobes.at(0), lobe);
+    }
+}
+
+TEST(MaterialJson, RoundTripsCurvesThatBend) {
+    const Material m = parsed(R"({"lobes": [{"r0": [0.9, 1.5, 2], "f1": [-0.1, 0.7, 1]}, {"r0": 0.9, "dip": 1.6},
+                                            {"r0": 0.9, "dip": [1.5, 1.6, 1.7], "dip_power": 6.5}]})");
+    expect_same(m.lobes[0].fresnel, {FresnelKind::generalised_schlick, {0.9f, 1.5f, 2}, {-0.1f, 0.7f, 1}});
+    expect_same(m.lobes[1].fresnel, {FresnelKind::lazanyi, Color3f(0.9f), Color3f(1.6f)});
+    expect_same(m.lobes[2].fresnel, {FresnelKind::lazanyi, Color3f(0.9f), {1.5f, 1.6f, 1.7f}, false, 6.5f});
+    const Material again = material_from_json(json::parse(material_to_json(m).dump()), "brass", "again");
+    for (size_t i = 0; i < 3; ++i) expect_same(again.lobes.at(i), m.lobes[i]);
+}
+
+TEST(MaterialJson, GivesModelsOfTheirOwnWidthTheirWidth) {
+    const float own = parsed(R"({"model": "abc", "B": 200, "C": 1.2})").lobes[0].mx;
+    EXPECT_NEAR(own, std::acos(1 - std::expm1(1 / 1.2) / 200), 0.01f);
+    EXPECT_EQ(parsed(R"({"model": "abc", "B": 200, "C": 1.2, "m": 0.3})").lobes[0].mx, 0.3f);
 }
 
 TEST(MaterialJson, WritesShortNumbers) {
@@ -213,6 +253,14 @@ TEST(Library, DescribesEveryModelParameterAndPreset) {
         for (const ModelParameter& parameter : model.parameters)
             EXPECT_NE(text.find(parameter.help), std::string::npos) << parameter.name;
     }
+    const auto marked = [&](std::string_view mark) {
+        std::ptrdiff_t count = 0;
+        for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) ++count;
+        return count;
+    };
+    EXPECT_EQ(marked("; round only"), std::ranges::count(models(), false, &ModelInfo::anisotropic));
+    EXPECT_EQ(marked("; not reciprocal"), std::ranges::count(models(), false, &ModelInfo::reciprocal));
+    EXPECT_EQ(marked("; has a width of its own"), std::ranges::count(models(), true, &ModelInfo::own_width));
     for (const Material& preset : presets()) EXPECT_NE(text.find("  " + preset.name + " "), std::string::npos) << preset.name;
 }
 

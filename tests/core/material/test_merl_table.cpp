@@ -1,6 +1,7 @@
 // MERL tables against closed forms, and their files byte by byte.
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
+#include <burnish/material/measured/merl_names.h>
 #include <burnish/material/measured/merl_table.h>
 #include <core/material/lobe_cases.h>
 #include <core/scratch.h>
@@ -177,6 +178,20 @@ TEST(MerlTable, RefusesWhatIsNoTable) {
         write_bytes(file, uniform_file(number));
         EXPECT_NE(complaint(file).find("none of its numbers"), std::string::npos) << complaint(file);
     }
+}
+
+TEST(MerlNames, TheHashIsSha256) {
+    const Scratch folder;
+    write_bytes(folder.file("abc"), "abc");  // FIPS 180-2, example B.1
+    EXPECT_EQ(sha256_of(folder.file("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(merl_name(folder.file("abc")), "");
+    EXPECT_THROW(sha256_of(folder.file("none")), Error);
+    EXPECT_THROW(sha256_of(folder.path().string()), Error);
+}
+
+TEST(MerlNames, KnowsTheHundred) {
+    ASSERT_EQ(merl_files().size(), 100u);
+    for (const MerlFile& file : merl_files()) EXPECT_EQ(file.sha256.size(), 64u) << file.name;
 }
 
 }  // namespace burnish

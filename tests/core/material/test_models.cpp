@@ -1,6 +1,7 @@
 // What every model of models.def promises, over a grid of widths, anisotropies, views and both sides.
 #include <burnish/base/error.h>
 #include <burnish/material/albedo.h>
+#include <burnish/sampling/sequence.h>
 #include <core/material/lobe_cases.h>
 
 #include <gtest/gtest.h>
@@ -61,6 +62,25 @@ TEST(Models, AlbedoBySamplingAgreesWithBruteForce) {
                 EXPECT_NEAR(directional_albedo(lobe, wo, 16384).x, brute, 0.004 * brute) << label(lobe, theta_deg);
             });
         }
+}
+
+TEST(Models, SamplesAreInProportionToTheLobeButForAFactorOrTwo) {
+    constexpr uint32_t kDraws = 4096;
+    for (const LobeParameters& lobe : lobe_grid({Side::reflection})) {
+        if (std::max(lobe.mx, lobe.my) > 0.4f) continue;
+        for (const double theta_deg : {0.0, 40.0, 60.0}) {
+            const Vec3f wo = direction_deg(theta_deg, kAzimuth_deg);
+            double sum = 0, squares = 0;
+            visit_lobe(lobe, [&](const auto& f) {
+                for (uint32_t i = 0; i < kDraws; ++i) {
+                    const Vec3f wi = f.sample(wo, hammersley(i, kDraws));
+                    const float pdf = f.pdf(wo, wi), weight = pdf > 0 ? f.eval(wo, wi).x * wi.z / pdf : 0;
+                    sum += weight, squares += weight * weight;
+                }
+            });
+            EXPECT_LT(squares * kDraws / (sum * sum) - 1, 1) << label(lobe, theta_deg);  // relative variance of a sample
+        }
+    }
 }
 
 TEST(Models, MicrofacetAreaProjectsToOne) {

@@ -45,11 +45,11 @@ double brute_force(const LobeType& lobe, const BrightDisc& disc, const ShadingPo
 }
 
 /// Views in and around the disc's reflection: RMS error over RMS, and the sums' ratio, over wo's solid angle.
-struct Error {
+struct Deviation {
     double rms, energy;
 };
 
-Error error_around(const LobeParameters& parameters, const BrightDisc& disc) {
+Deviation error_around(const LobeParameters& parameters, const BrightDisc& disc) {
     return visit_lobe(parameters, [&](const auto& lobe) {
         constexpr int steps = 16;
         const Vec3f wi = lobe.mirrored(disc.direction);
@@ -66,7 +66,7 @@ Error error_around(const LobeParameters& parameters, const BrightDisc& disc) {
             square += error * error * solid_angle, power += truth * truth * solid_angle;
             sum += (truth + error) * solid_angle, truth_sum += truth * solid_angle;
         }
-        return Error{std::sqrt(square / power), sum / truth_sum};
+        return Deviation{std::sqrt(square / power), sum / truth_sum};
     });
 }
 
@@ -77,7 +77,7 @@ TEST(DiscLight, IsTheMeanOverTheDisc) {
         for (const Vec2f& m : {Vec2f(0.003f, 0.003f), Vec2f(0.01f, 0.01f), Vec2f(0.03f, 0.03f), Vec2f(0.1f, 0.1f),
                                Vec2f(0.4f, 0.4f), Vec2f(0.03f, 0.003f), Vec2f(0.005f, 0.05f), Vec2f(0.02f, 0.2f)})
             for (const double theta : {0.0, 45.0, 75.0, 85.0}) {
-                const Error error = error_around(make_lobe(model, m.x, m.y), disc_at(direction_deg(theta, 0)));
+                const Deviation error = error_around(make_lobe(model, m.x, m.y), disc_at(direction_deg(theta, 0)));
                 const bool grazing_mirror = std::min(m.x, m.y) < 0.01f && theta > 80;
                 EXPECT_LT(error.rms, grazing_mirror ? 0.1 : 0.025) << label(make_lobe(model, m.x, m.y), theta);
                 EXPECT_NEAR(error.energy, 1, grazing_mirror ? 0.02 : 0.002) << label(make_lobe(model, m.x, m.y), theta);
@@ -112,7 +112,7 @@ TEST(DiscLight, TurnsWithAnEllipse) {
 
 TEST(DiscLight, GoesThroughThinSheets) {
     const LobeParameters lobe = make_lobe(ModelId::beckmann, 0.05f, 0.05f, Side::transmission);
-    const Error error = error_around(lobe, disc_at(direction_deg(150, 20)));
+    const Deviation error = error_around(lobe, disc_at(direction_deg(150, 20)));
     EXPECT_LT(error.rms, 0.01);
     EXPECT_NEAR(error.energy, 1, 0.002);
 }

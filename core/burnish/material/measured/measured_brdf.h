@@ -26,6 +26,8 @@ public:
     /// Turning both directions about the normal changes nothing.
     virtual bool is_isotropic() const = 0;
     virtual bool transmits() const = 0;
+    /// Values lie so densely that slices through them mean something, not only the pairs themselves.
+    virtual bool is_dense() const { return false; }
     /// The pairs that were measured and are valid, in the order of the file; regular tables thin them out to some 100,000.
     virtual std::vector<BrdfSample> samples() const = 0;
 

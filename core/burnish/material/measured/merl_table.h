@@ -40,6 +40,7 @@ public:
     Color3f eval(const Vec3f& wo, const Vec3f& wi) const override;
     bool is_isotropic() const override { return true; }
     bool transmits() const override { return false; }
+    bool is_dense() const override { return true; }
     /// Every second theta_d and every fourth phi_d of what is measured above the surface, some 140,000.
     std::vector<BrdfSample> samples() const override;
 

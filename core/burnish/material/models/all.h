@@ -13,5 +13,6 @@
 #include <burnish/material/models/oren_nayar.h>
 #include <burnish/material/models/phong.h>
 #include <burnish/material/models/sgd.h>
+#include <burnish/material/models/table.h>
 #include <burnish/material/models/ward.h>
 #include <burnish/material/models/ward_duer.h>

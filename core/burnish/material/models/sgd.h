@@ -1,11 +1,11 @@
 // sgd: microfacets with shifted gamma distributed slopes, a distribution for each colour channel, as measured materials want it.
 //
 // Equations   f = F(wo.h) D(h) G1(wo) G1(wi) / (pi cos_o cos_i),   D(h) = P22(tan^2 theta_h) / (pi cos^4 theta_h), see shifted_gamma.h
-//             G1: Smith's, tabulated; or the fit (lambda, c, k) where lambda > 0, see fitted_shadowing.h
-//             sample h with the slopes of the channels' mixture, so p(wi) = D(h) cos(theta_h) / (4 (wo.h)) of its table
+//             G1: Smith's, tabulated; or its fit where g1_lambda > 0, see fitted_shadowing.h
+//             sample h with the mean of the channels' slopes, so p(wi) = D(h) cos(theta_h) / (4 (wo.h)) of its table
 // Source      Bagher, Soler & Holzschuch 2012, "Accurate fitting of measured reflectances using a Shifted Gamma micro-facet
 //             distribution"; Bandwidth, V.3.
-// Parameters  alpha, p: width and sharpness of the slopes; lambda, c, k: of G1, 0 for Smith's own.
+// Parameters  alpha, p: width and sharpness of the slopes; g1_lambda, g1_c, g1_k: of the fit of G1, 0 for Smith's own.
 //             mx, my: stretch the slopes by mx / own_width along t and my / own_width along b; stretched slopes keep their G1 at
 //             the stretched direction (Heitz 2014, 5.3).
 // Traps       Over pi, not 4: F is not a reflectance, and published F0 exceed 1. G1 is separable.
@@ -26,9 +26,9 @@ public:
                 "Bagher, Soler & Holzschuch 2012, eq. 5-9; Bandwidth, V.3",
                 {{"alpha", 0.1f, 1e-6f, 10, "end of the tail: slopes fall like exp(-tan^2 / alpha)", true},
                  {"p", 0.5f, 0, 5, "sharpness of the peak: like (alpha^2 + tan^2)^-p", true},
-                 {"lambda", 0, 0, 1e9f, "of the fit of G1; 0: exact G1", true},
-                 {"c", 1, 1e-30f, 3e38f, "of the fit of G1", true},
-                 {"k", 10, 0.01f, 10000, "of the fit of G1", true}},
+                 {"g1_lambda", 0, 0, 1e9f, "of the fit of G1; 0: exact G1", true},
+                 {"g1_c", 1, 1e-30f, 3e38f, "of the fit of G1", true},
+                 {"g1_k", 10, 0.01f, 10000, "of the fit of G1", true}},
                 true,
                 true,
                 true};
@@ -38,6 +38,19 @@ public:
 
     Sgd with_widths(float mx, float my) const {
         Sgd other = *this;
+        other.set_widths(mx, my);
+        return other;
+    }
+
+    /// The lobe seen through Gaussian slopes of density e^(-x^2 / variance.x - y^2 / variance.y): sharp peaks stay sharp in
+    /// stretched slopes, but not in these. Its widths are the roots of m^2 + variance.
+    Sgd blurred(const Vec2f& variance) const {
+        const float own = m_data->own_width, mx = std::hypot(m_sx * own, std::sqrt(variance.x)),
+                    my = std::hypot(m_sy * own, std::sqrt(variance.y));
+        auto data = std::make_shared<SgdData>(*m_data, 0.5f * (variance.x / (m_sx * m_sx) + variance.y / (m_sy * m_sy)));
+        data->own_width = std::sqrt(mx * my / (m_sx * m_sy));
+        Sgd other = *this;
+        other.m_data = std::move(data);
         other.set_widths(mx, my);
         return other;
     }
@@ -68,14 +81,8 @@ public:
         return reflect(wo, {x * z, y * z, z});
     }
 
-    /// Of the channels' mixture.
-    float D(const Vec3f& wm) const {
-        if (wm.z <= 0) return 0;
-        const float x = squared_slope(wm);
-        float density = 0;
-        for (int k = 0; k < 3; ++k) density += m_data->shares[k] * m_data->channels[static_cast<size_t>(k)].density(x);
-        return density * normals_per_slope(wm);
-    }
+    /// Mean of the channels'.
+    float D(const Vec3f& wm) const { return wm.z > 0 ? m_data->density(squared_slope(wm)) * normals_per_slope(wm) : 0.0f; }
 
     float border(float xi) const { return std::sqrt(m_data->slopes->beyond(xi)) / m_data->own_width; }
     float own_width() const { return m_data->own_width; }

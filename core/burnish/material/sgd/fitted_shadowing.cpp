@@ -67,13 +67,16 @@ ShadowingFit polished(Eigen::VectorXd x, const std::vector<double>& exact) {
 }  // namespace
 
 ShadowingFit fit_g1(double alpha, double p) {
-    const std::vector<double> exact = smith_G1(ShiftedGamma(alpha, p));
+    const ShiftedGamma slopes(alpha, p);
+    const std::vector<double> exact = smith_G1(slopes);
     ShadowingFit best{1, 1, 1, std::numeric_limits<double>::infinity()};
-    for (const double lambda : {0.1, 3.0, 300.0})
-        for (const double k : {6.0, 30.0, 150.0}) {
-            const ShadowingFit fit = polished(Eigen::Vector3d(std::log(lambda), std::log(1.4), std::log(k)), exact);
-            if (fit.l2 < best.l2) best = fit;
-        }
+    for (const double lambda : {0.01, 3.0})
+        for (const double k : {1.5, 5.0, 25.0})
+            for (const double slopes_wide : {3.0, 10.0, 100.0}) {
+                const double reach = std::min(slopes_wide * slopes.mean_slope(), 1.4);
+                const ShadowingFit fit = polished(Eigen::Vector3d(std::log(lambda), std::log(reach), std::log(k)), exact);
+                if (fit.l2 < best.l2) best = fit;
+            }
     return best;
 }
 

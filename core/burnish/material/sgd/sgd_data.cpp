@@ -8,12 +8,11 @@
 namespace burnish {
 namespace {
 
-constexpr double kEnd = 30;  // alphas, where exp(-x / alpha) is nothing
-
 SgdChannel channel(const std::vector<float>& extra, size_t k) {
     const float lambda = extra[6 + k], c = extra[9 + k], exponent = extra[12 + k];
     const ShiftedGamma slopes(extra[k], extra[3 + k]);
-    SgdChannel channel{extra[k], extra[3 + k], static_cast<float>(slopes.log_scale()), {}, {}};
+    SgdChannel channel{};
+    channel.set_slopes(slopes);
     if (lambda > 0)
         channel.fitted.emplace(lambda, c, exponent);
     else
@@ -23,32 +22,35 @@ SgdChannel channel(const std::vector<float>& extra, size_t k) {
 
 }  // namespace
 
-SgdData::SgdData(const std::vector<float>& numbers, const Color3f& channel_shares) : extra(numbers), shares(channel_shares) {
+void SgdChannel::set_slopes(const ShiftedGamma& slopes) {
+    shift = static_cast<float>(slopes.shift()), inv_decay = static_cast<float>(1 / slopes.decay());
+    p = static_cast<float>(slopes.p()), log_scale = static_cast<float>(slopes.log_scale());
+}
+
+SgdData::SgdData(const std::vector<float>& numbers) : extra(numbers) {
     for (size_t k = 0; k < 3; ++k) channels.push_back(channel(extra, k));
-    const auto [lowest, highest] = std::minmax({extra[0], extra[1], extra[2]});
-    const auto density = [&](double x) {
-        double sum = 0;
-        for (int k = 0; k < 3; ++k)
-            sum += static_cast<double>(shares[k]) * channels[static_cast<size_t>(k)].density(static_cast<float>(x));
-        return sum;
-    };
-    slopes.emplace(density, static_cast<double>(lowest) * lowest, kEnd * highest);
+    tabulate_slopes();
+}
+
+SgdData::SgdData(const SgdData& sharp, float variance) : extra(sharp.extra), channels(sharp.channels) {
+    for (size_t k = 0; k < 3; ++k) channels[k].set_slopes(ShiftedGamma(extra[k], extra[3 + k]).blurred(variance));
+    tabulate_slopes();
+}
+
+void SgdData::tabulate_slopes() {
+    constexpr double kEnd = 30;  // decays, where exp(-x / decay) is nothing
+    double shift = channels[0].shift, decay = 0;
+    for (const SgdChannel& channel : channels)
+        shift = std::min<double>(shift, channel.shift), decay = std::max(decay, 1.0 / channel.inv_decay);
+    slopes.emplace([&](double x) { return density(static_cast<float>(x)); }, shift, kEnd * decay);
     own_width = std::clamp(std::sqrt(slopes->beyond(0.5) / std::numbers::ln2_v<float>), kMinWidth, 1.0f);
 }
 
-Color3f channel_shares(const LobeParameters& lobe) {
-    constexpr float kUsual = 0.7f, kLeast = 0.01f;  // cosine at which microfacets are met; share
-    const Color3f reflected = lobe.tint * lobe.fresnel(kUsual);
-    const float sum = reflected.x + reflected.y + reflected.z;
-    return sum > 0 ? reflected * ((1 - 3 * kLeast) / sum) + Color3f(kLeast) : Color3f(1.0f / 3);
-}
-
 std::shared_ptr<const SgdData> sgd_data(const LobeParameters& lobe) {
-    const Color3f shares = channel_shares(lobe);
     const std::vector<float> numbers = lobe.extra.empty() ? default_parameters(model_info(ModelId::sgd)) : lobe.extra;
     const auto made = std::dynamic_pointer_cast<const SgdData>(lobe.data);
-    if (made && made->extra == numbers && made->shares == shares) return made;
-    return std::make_shared<SgdData>(numbers, shares);
+    if (made && made->extra == numbers) return made;
+    return std::make_shared<SgdData>(numbers);
 }
 
 }  // namespace burnish

@@ -6,6 +6,7 @@
 #include <burnish/material/sgd/slope_table.h>
 #include <burnish/material/sgd/smith_table.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,31 +15,34 @@ namespace burnish {
 
 /// One colour channel of an SGD lobe.
 struct SgdChannel {
-    float alpha, p, log_scale;  // ShiftedGamma
+    float shift, inv_decay, p, log_scale;  // ShiftedGamma
     std::optional<FittedShadowing> fitted;
     std::optional<SmithTable> smith;  // where there is no fit
 
+    void set_slopes(const ShiftedGamma& slopes);
     /// P22 of the squared slope x.
-    float density(float x) const {
-        const float shifted = alpha * alpha + x;
-        return std::exp(log_scale - shifted / alpha - p * std::log(shifted));
-    }
+    float density(float x) const { return std::exp(log_scale - x * inv_decay - p * std::log(shift + x)); }
     /// Share of the microfacets facing a direction that it sees, at cot theta >= 0.
     float G1(float cot_theta) const { return fitted ? fitted->G1(std::atan2(1.0f, cot_theta)) : smith->G1(cot_theta); }
 };
 
 struct SgdData final : LobeData {
-    SgdData(const std::vector<float>& extra, const Color3f& shares);
+    /// `numbers`: as in LobeParameters::extra.
+    explicit SgdData(const std::vector<float>& numbers);
+    /// Slopes blurred as ShiftedGamma::blurred has it, by `variance` in the slopes' own measure.
+    SgdData(const SgdData& sharp, float variance);
 
     std::vector<float> extra;  // what this was made from
-    Color3f shares;            // of the channels in `slopes`
     std::vector<SgdChannel> channels;
-    std::optional<SlopeTable> slopes;
-    float own_width;  // of Gaussian slopes with the same median
-};
+    std::optional<SlopeTable> slopes;  // of the mean of the channels
+    float own_width;                   // of Gaussian slopes with the same median
 
-/// Shares of the channels in what a lobe reflects, each at least 1 %: for patterns and sampling.
-Color3f channel_shares(const LobeParameters& lobe);
+    /// Density of the squared slope x, mean of the channels.
+    float density(float x) const { return (channels[0].density(x) + channels[1].density(x) + channels[2].density(x)) / 3; }
+
+private:
+    void tabulate_slopes();
+};
 
 /// The lobe's own data if it was made from its numbers, else new ones.
 std::shared_ptr<const SgdData> sgd_data(const LobeParameters& lobe);

@@ -46,28 +46,23 @@ double upper_gamma(double s, double x) {
     });
 }
 
-ShiftedGamma::ShiftedGamma(double alpha, double p)
-    : m_alpha(alpha), m_p(p), m_log_scale((p - 1) * std::log(alpha) - std::log(upper_gamma(1 - p, alpha))) {}
-
-double ShiftedGamma::density(double x) const {
-    const double shifted = m_alpha * m_alpha + x;
-    return std::exp(m_log_scale - shifted / m_alpha - m_p * std::log(shifted));
+ShiftedGamma::ShiftedGamma(double shift, double decay, double p) : m_shift(shift), m_decay(decay), m_p(p) {
+    m_log_scale = (p - 1) * std::log(decay) - shift / decay - std::log(upper_gamma(1 - p, shift / decay));
 }
 
 double ShiftedGamma::share_beyond(double x) const {
-    const double log_gamma = m_log_scale - (m_p - 1) * std::log(m_alpha);
-    return upper_gamma(1 - m_p, m_alpha + x / m_alpha) * std::exp(log_gamma);
+    return upper_gamma(1 - m_p, (m_shift + x) / m_decay) / upper_gamma(1 - m_p, m_shift / m_decay);
 }
 
 double ShiftedGamma::mean_slope() const {
-    const double from = 2 * std::log(m_alpha) - kNothing, to = std::log(m_alpha * kNothing) + 1;
+    const double from = std::log(m_shift) - kNothing, to = std::log(m_decay * kNothing) + 1;
     return trapezoid(from, to, kStep, [&](double y) { return density(std::exp(y)) * std::exp(1.5 * y); });
 }
 
 double ShiftedGamma::lambda(double cot_theta) const {
     // With the azimuth integrated, slopes s > cot see (s / cot) sin phi - phi, cos phi = cot / s, of pi.
     static const std::vector<SmithNode> nodes = smith_nodes();
-    const double cot2 = cot_theta * cot_theta, last = cot2 + m_alpha * kNothing;
+    const double cot2 = cot_theta * cot_theta, last = cot2 + m_decay * kNothing;
     double sum = 0;
     for (const SmithNode& node : nodes) {
         const double x = cot2 * node.stretch;

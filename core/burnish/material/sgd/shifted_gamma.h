@@ -8,23 +8,25 @@
 // For p < 1 most slopes lie near sqrt(alpha), the tail's end; for p > 1 near alpha, where the peak is.
 #pragma once
 
+#include <cmath>
+
 namespace burnish {
 
 /// Gamma(s, x) for any s and x > 0, to 1e-12 relative: p > 1 needs orders below zero.
 double upper_gamma(double s, double x);
 
-/// One colour channel's slopes. alpha > 0, p >= 0.
+/// One colour channel's slopes.
 class ShiftedGamma {
 public:
-    ShiftedGamma(double alpha, double p);
+    /// alpha > 0, p >= 0.
+    ShiftedGamma(double alpha, double p) : ShiftedGamma(alpha * alpha, alpha, p) {}
 
-    double alpha() const { return m_alpha; }
-    double p() const { return m_p; }
-    /// ln K.
-    double log_scale() const { return m_log_scale; }
+    /// Much the same, convolved with Gaussian slopes of density e^(-x / variance): the peak ends at alpha^2 + variance and the tail
+    /// falls like e^(-x / (alpha + variance)).
+    ShiftedGamma blurred(double variance) const { return {m_shift + variance, m_decay + variance, m_p}; }
 
     /// P22(x), x >= 0: density of squared slopes.
-    double density(double x) const;
+    double density(double x) const { return std::exp(m_log_scale - x / m_decay - m_p * std::log(m_shift + x)); }
     /// S(x), the share of the slopes steeper than sqrt(x).
     double share_beyond(double x) const;
     /// Mean of tan theta over the slopes.
@@ -36,8 +38,16 @@ public:
     /// 1 / (1 + Lambda).
     double G1(double cot_theta) const { return cot_theta > 0 ? 1 / (1 + lambda(cot_theta)) : 0; }
 
+    /// P22(x) = exp(log_scale - x / decay) / (shift + x)^p.
+    double shift() const { return m_shift; }
+    double decay() const { return m_decay; }
+    double p() const { return m_p; }
+    double log_scale() const { return m_log_scale; }
+
 private:
-    double m_alpha, m_p, m_log_scale;
+    ShiftedGamma(double shift, double decay, double p);
+
+    double m_shift, m_decay, m_p, m_log_scale;
 };
 
 }  // namespace burnish

@@ -1,128 +1,7 @@
-// Docstrings of the compiled classes, numpydoc. Shapes, units and errors are stated here once; _core.pyi has the types.
+// Docstrings of the compiled classes that stand for reflectance, numpydoc. Shapes, units and errors are stated here once; _core.pyi has the types.
 #pragma once
 
 namespace burnish::python::docs {
-
-inline constexpr const char* Environment = R"(Distant light: an environment map and its pyramid.
-
-Directions are in the light's own axes; turn a world direction w with ``w @ world_to_light``. Radiance is linear RGB, without
-`gain`.
-
-Parameters
-----------
-source : str or os.PathLike or ndarray or Environment
-    Environment map: a file, or a picture of shape (height, width, 3), lat-long or a layout of cube faces.
-**settings
-    Settings that start with env, and up.
-
-Attributes
-----------
-world_to_light : ndarray, shape (3, 3)
-    World direction (a row) to light axes.
-gain : tuple of 3 floats
-    Scale times tint, which the overlay is multiplied with.
-face_size, level_count : int
-    Texels along a cube face of the finest level; number of levels.
-notes, warnings : list of str
-    What was found and what was scrubbed.
-
-Raises
-------
-ReadFailed
-    The file is absent, corrupt or no picture.
-BadArgument
-    A setting is unknown or out of range.)";
-
-inline constexpr const char* Environment_radiance = R"(Unfiltered radiance.
-
-Parameters
-----------
-d : ndarray, shape (n, 3)
-    Unit directions in light axes.
-
-Returns
--------
-ndarray, shape (n, 3), float32
-    Linear RGB.
-
-Raises
-------
-SizeMismatch
-    The shape is another one.)";
-
-inline constexpr const char* Environment_lookup = R"(Radiance filtered to a level of the pyramid, trilinear.
-
-Parameters
-----------
-d : ndarray, shape (n, 3)
-    Unit directions in light axes.
-level : float or ndarray, shape (n,)
-    0 is the finest level. Suns are in the pyramid with env_suns="keep" only.
-
-Returns
--------
-ndarray, shape (n, 3), float32
-    Linear RGB.
-
-Raises
-------
-SizeMismatch
-    The shapes do not fit.)";
-
-inline constexpr const char* Environment_level = R"(The level at which a texel covers a solid angle.
-
-Parameters
-----------
-d : ndarray, shape (n, 3)
-    Unit directions in light axes.
-solid_angle : float
-    Steradian.
-
-Returns
--------
-ndarray, shape (n,), float32
-    Level; may be negative.
-
-Raises
-------
-SizeMismatch
-    The shape is another one.)";
-
-inline constexpr const char* Environment_sample = R"(Draw directions with density proportional to luminance.
-
-Parameters
-----------
-u : ndarray, shape (n, 2)
-    Numbers in [0, 1).
-
-Returns
--------
-d : ndarray, shape (n, 3), float32
-    Unit directions in light axes.
-pdf : ndarray, shape (n,), float32
-    Per steradian.
-
-Raises
-------
-SizeMismatch
-    The shape is another one.)";
-
-inline constexpr const char* Environment_pdf = R"(Density of `sample`.
-
-Parameters
-----------
-d : ndarray, shape (n, 3)
-    Unit directions in light axes.
-
-Returns
--------
-ndarray, shape (n,), float32
-    Per steradian.
-
-Raises
-------
-SizeMismatch
-    The shape is another one.)";
 
 inline constexpr const char* Lobe =
     R"(One lobe of a material, free of tint and strength, on arrays of local directions (z along the normal).
@@ -227,31 +106,65 @@ Raises
 SizeMismatch
     The shape is another one.)";
 
-inline constexpr const char* LightBandwidth = R"(How fast distant light varies with direction, found by wavelets.
+inline constexpr const char* Measured =
+    R"(A measured reflectance, from MERL's .binary, Cornell's .brdf, ALTA's .alta and .dat, or burnish's own text.
 
 Parameters
 ----------
-light : Environment
-    Suns that are apart count as well.)";
+path : str or os.PathLike
+    The file.
 
-inline constexpr const char* LightBandwidth_at = R"(Upper bound of the local bandwidth in a cone of directions.
+Raises
+------
+ReadFailed
+    The file is absent, or no measurement.)";
+
+inline constexpr const char* Measured_eval = R"(The reflectance f between the measured directions, without the cosine.
 
 Parameters
 ----------
-d : ndarray, shape (n, 3)
-    Directions in light axes.
-radius : float
-    Half angle of the cone, radian, up to pi / 4.
+wo, wi : ndarray, shape (n, 3)
+    Unit directions to the viewer and to the light; wi below the surface: light that comes through.
 
 Returns
 -------
-ndarray, shape (n,), float32
-    Cycles per radian.
+ndarray, shape (n, 3), float32
+    1/sr, per colour channel; 0 below the surface unless it transmits.
 
 Raises
 ------
 SizeMismatch
-    The shape is another one.)";
+    The shapes are other ones.)";
+
+inline constexpr const char* Measured_samples = R"(What was measured.
+
+Returns
+-------
+tuple of ndarray, shape (n, 3), float32
+    wo, wi and f in 1/sr. Of MERL's tables every eighth cell.)";
+
+inline constexpr const char* Measured_info = R"(What the measurement holds.
+
+Returns
+-------
+dict
+    "file"; "kind"; "merl_name", its name in MERL's database where it is one of those files, untouched; "isotropic";
+    "transmits"; "samples", how many are valid; "theta_i_deg", least and largest; and of the material made of it "kd",
+    "width" and "albedo" from 45 degrees.)";
+
+inline constexpr const char* Measured_write_merl = R"(Write it as a MERL table; one that is a MERL table keeps its bytes.
+
+Parameters
+----------
+path : str or os.PathLike
+    The file, which appears whole or not at all.
+
+Raises
+------
+BadArgument
+    It is anisotropic.
+WriteFailed
+    The file cannot be written.)";
 
 inline constexpr const char* LobeBandwidth =
     R"(Which frequencies of the light a lobe lets through, found by wavelets.
