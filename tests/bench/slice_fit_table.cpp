@@ -36,7 +36,7 @@ void print_fit(const std::string& material, const std::string& name, const BrdfG
     const size_t lobes = fit.result.material.lobes.size();
     std::printf("%s,%s,%zu,%d,%.4e,%.4e,%.4e,%.4e,%.4e,%.3f,%.5f\n", material.c_str(), name.c_str(), lobes,
                 fit.result.parameters, fit.error.overall(), fit.error.worst_channel(), fit.slices.overall(),
-                fit.slices.worst_channel(), fit.result.seconds, lobes ? fit.result.material.lobes[0].mx : 0.0f);
+                fit.slices.worst_channel(), fit.one_lobe.overall(), seconds, lobes ? fit.result.material.lobes[0].mx : 0.0f);
     std::fflush(stdout);
     for (const std::string& note : fit.result.notes)
         std::fprintf(stderr, "%s, %s: %s\n", material.c_str(), name.c_str(), note.c_str());
