@@ -31,13 +31,14 @@ struct Parts {
     }
 };
 
-/// Factors of the parts in one channel, from `factors` on; the first is kept in `first_range`. What was not recorded does not count.
+/// Factors of the parts in one channel, from `factors` on; the first is kept in `first_range`. What was not
+/// recorded in any channel does not count; 0 in one of them is a saturated colour.
 void fit_channel(const Parts& parts, const TransferSamples& samples, int channel, NumberRange first_range,
                  std::vector<float>& factors) {
     std::vector<float> left(samples.size()), basis(samples.size()), weight = samples.weight;
     for (size_t j = 0; j < left.size(); ++j) {
         left[j] = samples.p[j][channel];
-        if (!(left[j] > 0)) weight[j] = 0;
+        if (samples.p[j] == Color3f(0)) weight[j] = 0;
         for (size_t i = 0; i < factors.size(); ++i) left[j] -= factors[i] * parts.p[i][j][channel];
     }
     std::vector<WeightedValue> scratch;
