@@ -31,14 +31,13 @@ struct Parts {
     }
 };
 
-/// Factors of the parts in one channel, from `factors` on; the first is kept in `first_range`. What was not
-/// recorded in any channel does not count; 0 in one of them is a saturated colour.
+/// Factors of the parts in one channel, from `factors` on; the first is kept in `first_range`. A channel that is 0 where others are not
+/// is dark, not unrecorded: saturated colours have such.
 void fit_channel(const Parts& parts, const TransferSamples& samples, int channel, NumberRange first_range,
                  std::vector<float>& factors) {
-    std::vector<float> left(samples.size()), basis(samples.size()), weight = samples.weight;
+    std::vector<float> left(samples.size()), basis(samples.size());
     for (size_t j = 0; j < left.size(); ++j) {
         left[j] = samples.p[j][channel];
-        if (samples.p[j] == Color3f(0)) weight[j] = 0;
         for (size_t i = 0; i < factors.size(); ++i) left[j] -= factors[i] * parts.p[i][j][channel];
     }
     std::vector<WeightedValue> scratch;
@@ -48,7 +47,7 @@ void fit_channel(const Parts& parts, const TransferSamples& samples, int channel
                 basis[j] = parts.p[i][j][channel];
                 left[j] += factors[i] * basis[j];
             }
-            factors[i] = std::max(0.0f, scale_to(left, basis, weight, scratch).value);
+            factors[i] = std::max(0.0f, scale_to(left, basis, samples.weight, scratch).value);
             if (i == 0 && parts.diffuse)
                 factors[i] = std::clamp(factors[i], static_cast<float>(first_range.min), static_cast<float>(first_range.max));
             for (size_t j = 0; j < left.size(); ++j) left[j] -= factors[i] * basis[j];

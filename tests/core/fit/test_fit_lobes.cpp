@@ -7,8 +7,6 @@
 #include <burnish/material/model.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 #include "synthetic_table.h"
@@ -182,10 +180,18 @@ TEST(FitLobes, StopsWhenAsked) {
 }
 
 /// Every model is fitted by the same machinery: a table of one of its lobes is met.
-class FitModel : public ::testing::TestWithParam<int> {};
+class FitModel : public ::testing::TestWithParam<ModelId> {};
+
+/// All but the one that shows a measurement and the one that is fitted by slices (slice_fit.h).
+std::vector<ModelId> searched_models() {
+    std::vector<ModelId> ids;
+    for (size_t i = 0; i < models().size(); ++i)
+        if (models()[i].name != "table" && models()[i].name != "sgd") ids.push_back(static_cast<ModelId>(i));
+    return ids;
+}
 
 TEST_P(FitModel, MeetsATableOfItsOwn) {
-    const ModelId model = static_cast<ModelId>(GetParam());
+    const ModelId model = GetParam();
     const LobeSpace space = lobe_space(model, Side::reflection, 1, true, {});
     std::vector<double> units;
     for (size_t i = 0; i < space.shape.size(); ++i) units.push_back(0.62 - 0.07 * static_cast<double>(i));
@@ -206,9 +212,8 @@ TEST_P(FitModel, MeetsATableOfItsOwn) {
                                        << material_to_json(result.material).dump();
 }
 
-// The order of models.def; sgd, which comes after, is fitted by slices, and a table is not fitted to itself.
-INSTANTIATE_TEST_SUITE_P(All, FitModel, ::testing::Range(0, static_cast<int>(ModelId::sgd)), [](const auto& info) {
-    std::string name(models()[static_cast<size_t>(info.param)].name);
+INSTANTIATE_TEST_SUITE_P(All, FitModel, ::testing::ValuesIn(searched_models()), [](const auto& info) {
+    std::string name(model_info(info.param).name);
     std::ranges::replace(name, '-', '_');
     return name;
 });
