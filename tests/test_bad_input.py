@@ -271,7 +271,7 @@ GONIO = "# burnish gonio 1\n# surface isotropic\n# values brdf\n# columns theta_
     ("a.gonio", GONIO.encode() + b"10 0 20 0 inf\n", "finite number"),
     ("a.gonio", GONIO.encode() + b"91 0 20 0 1\n", "theta_i"),
     ("a.gonio", GONIO.encode(), "no row"),
-])
+], ids=range(10))
 def test_measurements_that_are_none(composite, cli, work, name, content, part):
     (work / name).write_bytes(content)
     expect(composite(material=name), 1, "E_READ_FAILED", name, part)

@@ -31,9 +31,9 @@ def gonio(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def merl(tmp_path_factory):
-    """The bytes of a MERL table that is 0.2, 0.23 and 0.332 everywhere."""
+    """The bytes of a MERL table that is 0.133, 0.153 and 0.221 everywhere."""
     file = tmp_path_factory.mktemp("merl") / "flat.binary"
-    file.write_bytes(np.array([90, 90, 180], "<i4").tobytes() + np.full(3 * CELLS, 300.0).tobytes())
+    file.write_bytes(np.array([90, 90, 180], "<i4").tobytes() + np.full(3 * CELLS, 200.0).tobytes())
     return file
 
 
@@ -56,7 +56,7 @@ def test_a_merl_table_keeps_its_bytes(merl, tmp_path):
     measured = burnish.read_measured(merl)
     measured.write_merl(tmp_path / "again.binary")
     assert hashlib.sha256((tmp_path / "again.binary").read_bytes()).digest() == hashlib.sha256(merl.read_bytes()).digest()
-    assert measured.eval(directions([20, 0]), directions([60, 100])) == pytest.approx(np.array([[0.2, 0.23, 0.332]]), rel=1e-5)
+    assert measured.eval(directions([20, 0]), directions([60, 100])) == pytest.approx(np.array([[200, 230, 332]]) / 1500, rel=1e-5)
 
 
 def test_any_isotropic_measurement_becomes_a_merl_table(gonio, tmp_path):
@@ -70,7 +70,7 @@ def test_any_isotropic_measurement_becomes_a_merl_table(gonio, tmp_path):
 def test_what_a_file_holds(gonio, merl):
     about = burnish.read_measured(merl).info()
     assert about["samples"] == CELLS and about["merl_name"] == ""
-    assert about["kd"] == pytest.approx([0.2 * np.pi, 0.23 * np.pi, 1], rel=0.01)  # no more than all light
+    assert about["kd"] == pytest.approx(np.array([200, 230, 332]) / 1500 * np.pi, rel=0.01)
     about = burnish.read_measured(gonio).info()
     assert about["theta_i_deg"] == [0, 70]
     assert about["kd"][0] == pytest.approx(0.1 * np.pi, rel=0.02)
