@@ -169,6 +169,7 @@ TEST(MaterialJson, RoundTripsEveryParameterOfEveryModel) {
         Material material{"all", Color3f(0), {LobeParameters{}}};
         LobeParameters& lobe = material.lobes[0];
         lobe.model = model_by_name(model.name);
+        if (lobe.model == ModelId::table) continue;  // shows a file, which no number stands for
         lobe.mx = 0.25f, lobe.my = model.anisotropic ? 0.125f : 0.25f;
         for (const ModelParameter& parameter : model.parameters)
             for (const float share : {0.2f, 0.4f, 0.7f})
