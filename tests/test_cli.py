@@ -226,6 +226,17 @@ def test_models_lists_models_and_presets(cli):
     assert all(model["name"] in text for model in listed["models"]) and all(name in text for name in listed["presets"])
 
 
+def test_the_library_of_measured_materials_is_listed_and_usable(cli, tmp_path):
+    text, listed = cli("models").out, json.loads(cli("models", "--json").out)["library"]
+    assert len(listed) == 100 and all(" " + name.removeprefix("merl:") in text for name in listed)
+    assert listed["merl:brass"]["model"] == "sgd"
+    for name in ("brass.png", "brass.exr"):
+        assert cli("preview", "merl:brass", "-o", tmp_path / name, "--size", 32).code == 0
+    assert (tmp_path / "brass.png").read_bytes().startswith(b"\x89PNG")
+    typo = cli("preview", "merl:bras", "-o", tmp_path / "typo.png")
+    assert typo.code == 2 and 'did you mean "merl:brass"?' in typo.err and not (tmp_path / "typo.png").exists()
+
+
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_signals_end_the_run_without_a_trace(job, tmp_path, number, code):
     scenes.write_frame(tmp_path / "beauty.exr", scenes.sphere(512, 384))

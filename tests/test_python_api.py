@@ -203,3 +203,12 @@ def test_replace_leaves_pixels_it_cannot_shade_as_they_were():
     assert layers["validity"][broken] != 0
     assert np.array_equal(layers["beauty"][broken], frame["beauty"][broken])
     assert not np.array_equal(layers["beauty"][24, 33], frame["beauty"][24, 33])
+
+
+def test_preview_gives_a_ball_with_alpha():
+    ball = burnish.preview("merl:brass", size=32)
+    assert ball.shape == (32, 32, 4) and ball.dtype == np.float32
+    assert ball[0, 0].max() == 0 and ball[16, 16, 3] == pytest.approx(1) and ball[..., :3].max() > 0
+    assert np.array_equal(ball, burnish.preview(burnish.library()["merl:brass"], size=32))
+    with pytest.raises(burnish.BadArgument):
+        burnish.preview("merl:brass", size=0)

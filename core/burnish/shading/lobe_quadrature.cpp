@@ -66,9 +66,9 @@ float peak_width(const LobeParameters& lobe) {
     return visit_lobe(lobe, [&](const auto& own) { return std::min(own.border(kBeyond) / gaussian_radius(kBeyond), 1.0f); });
 }
 
-/// A degree, more for wide lobes and less for peaked ones, and for lobes that are not much wider themselves; and where a row of so many Gaussians as
-/// narrow as an anisotropic lobe would leave gaps, as much as closes them: light that falls into gaps is worse than a wider
-/// lobe. (Round lobes, long at grazing angles only, lose by that: there the horizon makes a wider lobe another lobe.)
+/// A degree, more for wide lobes and less for peaked ones and for those that are not much wider themselves; and where a row of
+/// so many Gaussians as narrow as an anisotropic lobe would leave gaps, as much as closes them: light that falls into gaps is
+/// worse than a wider lobe. (Round lobes, long at grazing angles only, lose by that: there the horizon makes a wider lobe another lobe.)
 float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps, float peak) {
     const LobeImage image = lobe_image(wo, lobe.mx, lobe.my);
     const float detail = (0.01f + 0.035f * image.major) * peak, gap = kGap * image.major / static_cast<float>(taps);

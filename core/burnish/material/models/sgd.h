@@ -9,7 +9,7 @@
 //             mx, my: stretch the slopes by mx / own_width along t and my / own_width along b; stretched slopes keep their G1 at
 //             the stretched direction (Heitz 2014, 5.3).
 // Traps       Over pi, not 4: F is not a reflectance, and published F0 exceed 1. G1 is separable.
-//             Peaks are far narrower than the median slope: p = 1 and alpha = 1e-3 puts the density's peak within 0.1 %.
+//             Peaks are alpha wide, far narrower than the median slope, which lies near sqrt(alpha).
 #pragma once
 
 #include <burnish/material/microfacet.h>
@@ -23,7 +23,7 @@ public:
     static ModelInfo info() {
         return {"sgd",
                 "microfacets with shifted gamma distributed slopes, for measured materials",
-                "Bagher, Soler & Holzschuch 2012, eq. 5-9; Bandwidth, V.3",
+                "Bagher, Soler & Holzschuch 2012; Bandwidth, V.3",
                 {{"alpha", 0.1f, 1e-6f, 10, "end of the tail: slopes fall like exp(-tan^2 / alpha)", true},
                  {"p", 0.5f, 0, 5, "sharpness of the peak: like (alpha^2 + tan^2)^-p", true},
                  {"g1_lambda", 0, 0, 1e9f, "of the fit of G1; 0: exact G1", true},

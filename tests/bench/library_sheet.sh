@@ -1,8 +1,8 @@
 #!/bin/sh
-# The 100 measured materials of the library on balls, as one picture: sh examples/library.sh library.jpg
-# Needs burnish and oiiotool on the PATH.
+# The 100 measured materials of the library on balls, as one picture: sh tests/bench/library_sheet.sh library.jpg
+# Needs burnish, python3 and oiiotool on the PATH.
 set -eu
-output=${1:?usage: library.sh OUTPUT}
+output=${1:?usage: library_sheet.sh OUTPUT}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
