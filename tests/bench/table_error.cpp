@@ -36,6 +36,7 @@ struct Sweep {
     std::string neural, gamma, pattern = "automatic";
     std::vector<std::string> lights, materials, estimators{"regular", "fitted"};
     std::vector<int> samples{0};
+    std::vector<float> ggx;
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -62,7 +63,11 @@ public:
         const auto table = std::make_shared<const MerlTable>(f);
         const auto start = std::chrono::steady_clock::now();
         const Material material = table_material(table, name);
-        const double seconds = seconds_since(start);
+        compare(material, from, seconds_since(start));
+    }
+
+    /// The estimators on any material, `seconds` of which went into building it.
+    void compare(const Material& material, const char* from, double seconds) const {
         for (size_t light = 0; light < m_lights.size(); ++light) {
             EstimatorSettings exact;
             exact.kind = EstimatorKind::reference, exact.tolerance = m_sweep.tolerance, exact.max_samples = 32768;
@@ -73,7 +78,7 @@ public:
                     settings.kind = kEstimators.at(estimator), settings.samples = samples;
                     settings.pattern = kPatterns.at(m_sweep.pattern);
                     const Comparison found = compare_images(shade(material, m_lights[light], settings), truth, &m_mask);
-                    std::printf("%s,%s,%.4f,%.3f,%.3f,%s,%d,%s,%.2f,%.4f\n", name.c_str(), from, material.lobes[0].mx,
+                    std::printf("%s,%s,%.4f,%.3f,%.3f,%s,%d,%s,%.2f,%.4f\n", material.name.c_str(), from, material.lobes[0].mx,
                                 material.kd.y, seconds, estimator.c_str(), lookup_count(settings),
                                 m_sweep.lights[light].c_str(), found.display_psnr_db, found.relative_rms);
                     std::fflush(stdout);
@@ -111,9 +116,11 @@ int main(int argc, char** argv) {
     app.add_option("--tolerance", sweep.tolerance, "of the reference")->capture_default_str();
     app.add_option("--estimators", sweep.estimators, "regular, fitted, ...")->delimiter(',')->capture_default_str();
     app.add_option("--samples", sweep.samples, "lookups; 0 = default")->delimiter(',')->capture_default_str();
+    app.add_option("--ggx", sweep.ggx, "widths of plain GGX lobes to compare with")->delimiter(',');
     app.add_option("--pattern", sweep.pattern, "of regular: automatic, circles or tuned")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     const Bench bench(sweep);
+    for (const float m : sweep.ggx) bench.compare({"ggx", Color3f(0), {scenes::lobe_of(ModelId::ggx, m, m)}}, "model", 0);
     if (!sweep.neural.empty())
         for (const published::Row& row : published::read_rows(sweep.neural))
             if (is_wanted(sweep, row.material)) bench.run(row.material, "neural", published::Neural(row));
