@@ -2,7 +2,8 @@
 // the 80 networks that stand in for the tables. Errors are those of V.5.3 (brdf_error.h); seconds are of one
 // processor.
 //
-//     burnish_slice_fit_table --data FOLDER --set nbrdf --models sgd,sgd2,beckmann,ggx,abc > fits.csv     (sgd2: two lobes at most)
+//     burnish_slice_fit_table --data FOLDER --set nbrdf --models sgd,sgd2,beckmann,ggx,abc > fits.csv     (sgd2: two lobes at most;
+// published: no fit, the published SGD row against the network)
 #include "merl_stand_ins.h"
 
 #include <burnish/base/parallel.h>
@@ -13,6 +14,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdio>
 
 using namespace burnish;
@@ -42,6 +44,17 @@ void print_fit(const std::string& material, const std::string& name, const BrdfG
         std::fprintf(stderr, "%s, %s: %s\n", material.c_str(), name.c_str(), note.c_str());
 }
 
+/// How far the published SGD row of a material is from what the grid holds.
+void print_published(const merl::Row& row, const BrdfGrid& grid) {
+    Channels squares{};
+    for (size_t j = 0; j < grid.cells().size(); ++j) {
+        const Channels f = merl::sgd(row, grid.angles(grid.cells()[j]));
+        for (int c = 0; c < 3; ++c) squares[c] += grid.cells()[j].weight * (f[c] - grid.f(c)[j]) * (f[c] - grid.f(c)[j]);
+    }
+    const BrdfError error = brdf_error(grid, Channels{std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2])});
+    std::printf("%s,published,1,18,%.4e,%.4e,,,,,\n", row.material.c_str(), error.overall(), error.worst_channel());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -56,6 +69,7 @@ int main(int argc, char** argv) {
 
     const bool networks = set == "nbrdf";
     const auto rows = merl::read_rows(data + (networks ? "/brdf_fits/nbrdf_merl_80.csv" : "/brdf_fits/sgd_bagher2012_bbm.csv"));
+    const auto published = merl::read_rows(data + "/brdf_fits/sgd_bagher2012_bbm.csv");
     const ThreadLimit one_core(1);
     std::puts(
         "material,model,lobes,parameters,error,worst_channel,slices_error,slices_worst_channel,one_lobe_error,seconds,width");
@@ -64,6 +78,10 @@ int main(int argc, char** argv) {
         const BrdfGrid grid({90, 90, 36, 2}, [&](const GridAngles& angles) -> std::optional<Channels> {
             return networks ? merl::network(row, angles) : merl::sgd(row, angles);
         });
-        for (const std::string& model : models) print_fit(row.material, model, grid);
+        for (const std::string& model : models) {
+            if (model != "published") print_fit(row.material, model, grid);
+            for (const merl::Row& other : published)
+                if (model == "published" && other.material == row.material) print_published(other, grid);
+        }
     }
 }
