@@ -78,12 +78,13 @@ private:
         for (size_t n = 0; n < best.lobes.size(); ++n) {
             LobeMixture others = best;
             others.lobes[n].strength = 0;
-            const std::vector<FoundLobe> found =
-                search_lobe(best.spaces[n], m_searched, left_over(others, m_searched), 1, progress);
-            if (found.empty()) continue;
-            others.lobes[n] = found.front().lobe;
-            others = polished(std::move(others), m_polished, grey(m_polished.p), progress);
-            if (better(others, best)) best = std::move(others);
+            for (const FoundLobe& found :
+                 search_lobe(best.spaces[n], m_searched, left_over(others, m_searched), kValleys, progress)) {
+                LobeMixture next = others;
+                next.lobes[n] = found.lobe;
+                next = polished(std::move(next), m_polished, grey(m_polished.p), progress);
+                if (better(next, best)) best = std::move(next);
+            }
         }
         return best;
     }

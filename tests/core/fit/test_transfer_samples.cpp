@@ -84,7 +84,8 @@ TEST(DiffuseMode, IsNoneWithoutADiffusePart) {
 }
 
 TEST(TableNoise, IsFoundUnderAModelThatErrs) {
-    const Material truth = one_lobe(0.3f), wrong = one_lobe(0.25f, 0.7f);
+    Material truth = one_lobe(0.3f), wrong = one_lobe(0.28f, 0.9f);
+    for (Material* material : {&truth, &wrong}) material->lobes[0].mx = material->lobes[0].my = 0.4f;  // wider than the grid
     const TransferSamples samples = transfer_samples(measure_grey(truth, kGrid, {0.05f}), Side::reflection);
     const double noise = l1_error(model_transfer(truth, samples, Side::reflection), samples).x;
     const std::vector<float> model = grey(model_transfer(wrong, samples, Side::reflection));
