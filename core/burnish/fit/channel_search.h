@@ -2,7 +2,7 @@
 //
 // Two slices (Bandwidth V.4.2): theta_d = 0 gives kd and the shape, theta_h = 0 then strength and Fresnel; residuals in ratio to f,
 // so that the tail counts as the peak does. Then the same shapes against all cells, weighted as the error of V.5.3 weighs them.
-// Both steps start from a scan of all shapes, which costs little as the rest is linear, and follow the best few to the bottom.
+// Both steps start from a scan of all shapes, which costs little as the rest is linear, and follow the best few to the bottom. Internal.
 #pragma once
 
 #include <burnish/fit/channel_problem.h>

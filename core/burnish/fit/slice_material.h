@@ -1,4 +1,4 @@
-// From the numbers of three channels to a material that burnish shows.
+// From the numbers of three channels to a material that burnish shows. Internal.
 #pragma once
 
 #include <burnish/fit/channel_problem.h>
