@@ -1,7 +1,7 @@
 // How well `fit_lobes` finds numbers that are known: tables of the published materials with the faults of measurements, several of each.
 // Prints the number of lobes found, the worst relative error of every number over all tables, and the time. Fits measured files, too.
-#include <burnish/fit/fit_lobes.h>
-#include <burnish/fit/transfer_samples.h>
+#include <burnish/fit/search/fit_lobes.h>
+#include <burnish/fit/search/transfer_samples.h>
 #include <burnish/material/albedo.h>
 #include <burnish/material/library.h>
 #include <burnish/material/measured/read_measured.h>

@@ -11,7 +11,7 @@
 #include <burnish/material/albedo.h>
 #include <burnish/material/any_model.h>
 #include <burnish/material/library.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/sgd/sgd_data.h>
 
 #include <cstdio>

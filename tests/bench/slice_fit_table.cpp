@@ -7,7 +7,7 @@
 #include "merl_stand_ins.h"
 
 #include <burnish/base/parallel.h>
-#include <burnish/fit/slice_fit.h>
+#include <burnish/fit/slices/slice_fit.h>
 #include <burnish/material/model.h>
 
 #include <CLI/CLI.hpp>

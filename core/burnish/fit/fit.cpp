@@ -2,9 +2,9 @@
 
 #include <burnish/base/error.h>
 #include <burnish/fit/fit_curves.h>
-#include <burnish/fit/fit_lobes.h>
-#include <burnish/fit/lobe_mixture_fit.h>
-#include <burnish/fit/slice_fit.h>
+#include <burnish/fit/search/fit_lobes.h>
+#include <burnish/fit/search/lobe_mixture_fit.h>
+#include <burnish/fit/slices/slice_fit.h>
 #include <burnish/material/library.h>
 #include <burnish/material/model.h>
 

@@ -1,6 +1,6 @@
 // From a measurement to a material of a few numbers, with its error known.
 //
-// Dense isotropic tables are fitted slice by slice (slice_fit.h), everything else by search over all pairs (lobe_fit_search.h).
+// Dense isotropic tables are fitted slice by slice (slices/slice_fit.h), everything else by search over all pairs (search/fit_lobes.h).
 #pragma once
 
 #include <burnish/base/progress.h>

@@ -24,9 +24,9 @@ struct FitSettings {
 /// A material fitted to a measurement, and how well it does.
 struct FitResult {
     Material material;
-    int parameters = 0;        // free numbers, kd included
+    int parameters = 0;                   // free numbers, kd included
     std::optional<double> normalised_l2;  // brdf_error.h, worst channel; of dense tables
-    double l1 = 0;             // Walkthrough 3.7, mean of the channels
+    double l1 = 0;                        // Walkthrough 3.7, mean of the channels
     double seconds = 0;
     std::vector<std::string> notes;  // what a user should know: lobes that did not pay, data outside the model
 };

@@ -9,7 +9,7 @@
 #include <burnish/material/library.h>
 #include <burnish/material/measured/table_files.h>
 #include <burnish/material/metals.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/model.h>
 
 #include <nlohmann/json.hpp>

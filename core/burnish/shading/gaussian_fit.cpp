@@ -1,6 +1,6 @@
 #include <burnish/shading/gaussian_fit.h>
 
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/shading/lobe_image.h>
 
 #include <Eigen/Cholesky>

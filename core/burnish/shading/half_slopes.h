@@ -1,7 +1,7 @@
 // Slopes of the half vector: the space where a lobe's widths mx, my live.
 #pragma once
 
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/shading/shading_point.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <burnish/shading/tap_table.h>
 
 #include <burnish/base/parallel.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <burnish/fit/absolute_fit.h>
+#include <burnish/fit/search/absolute_fit.h>
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,7 +1,7 @@
 #include <burnish/base/parallel.h>
-#include <burnish/fit/fit_lobes.h>
-#include <burnish/fit/lobe_space.h>
-#include <burnish/fit/transfer_samples.h>
+#include <burnish/fit/search/fit_lobes.h>
+#include <burnish/fit/search/lobe_space.h>
+#include <burnish/fit/search/transfer_samples.h>
 #include <burnish/material/albedo.h>
 #include <burnish/material/library.h>
 #include <burnish/material/model.h>

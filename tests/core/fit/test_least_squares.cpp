@@ -1,5 +1,5 @@
-#include <burnish/fit/bounded_least_squares.h>
-#include <burnish/fit/least_squares.h>
+#include <burnish/fit/slices/bounded_least_squares.h>
+#include <burnish/fit/slices/least_squares.h>
 
 #include <gtest/gtest.h>
 

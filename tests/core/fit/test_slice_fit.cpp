@@ -1,7 +1,7 @@
 #include "grid_cases.h"
 
 #include <burnish/base/parallel.h>
-#include <burnish/fit/slice_fit.h>
+#include <burnish/fit/slices/slice_fit.h>
 #include <burnish/material/library.h>
 #include <burnish/material/material_brdf.h>
 #include <burnish/material/measured/half_difference.h>

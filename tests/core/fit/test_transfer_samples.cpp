@@ -1,7 +1,7 @@
-#include <burnish/fit/diffuse_mode.h>
-#include <burnish/fit/retro_reflection.h>
-#include <burnish/fit/table_noise.h>
-#include <burnish/fit/transfer_samples.h>
+#include <burnish/fit/search/diffuse_mode.h>
+#include <burnish/fit/search/retro_reflection.h>
+#include <burnish/fit/search/table_noise.h>
+#include <burnish/fit/search/transfer_samples.h>
 #include <burnish/material/albedo.h>
 #include <gtest/gtest.h>
 

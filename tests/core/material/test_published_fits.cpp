@@ -1,6 +1,6 @@
 // The published fits of the MERL materials through our models: each row becomes a lobe by the convention of its authors, which is
 // held to their equation, and all of them show about what the independent SGD fits of the same materials show.
-#include <burnish/material/abc_normals.h>
+#include <burnish/material/lobes/abc_normals.h>
 #include <burnish/material/material_brdf.h>
 #include <core/data.h>
 #include <core/material/published_fits.h>

@@ -1,6 +1,6 @@
 #include <burnish/material/measured/gonio_table.h>
 #include <burnish/material/measured/scattered_colors.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #include <burnish/material/measured/half_angle_curve.h>
 #include <burnish/material/measured/half_difference.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include <burnish/base/parallel.h>
 #include <burnish/material/measured/half_vector_sampler.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <burnish/material/measured/measured_lobe.h>
 
 #include <burnish/material/measured/half_difference.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <burnish/base/parallel.h>
 #include <burnish/material/measured/merl_holes.h>
 #include <burnish/material/measured/merl_table.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 
 #include <algorithm>
 

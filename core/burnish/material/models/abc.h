@@ -11,7 +11,7 @@
 //             of strength 1 is dim there.
 #pragma once
 
-#include <burnish/material/abc_normals.h>
+#include <burnish/material/lobes/abc_normals.h>
 #include <burnish/material/model.h>
 
 namespace burnish {

@@ -9,8 +9,8 @@
 //             fits, are wider than m = 1.
 #pragma once
 
-#include <burnish/material/half_vector_model.h>
-#include <burnish/material/phong_normals.h>
+#include <burnish/material/lobes/half_vector_model.h>
+#include <burnish/material/lobes/phong_normals.h>
 
 namespace burnish {
 

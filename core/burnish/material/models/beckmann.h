@@ -9,7 +9,7 @@
 //             above), at 0.6 a seventh. The rational G1 is up to 0.4 % off Smith's exact one: renderers with erf differ so.
 #pragma once
 
-#include <burnish/material/beckmann_visible.h>
+#include <burnish/material/lobes/beckmann_visible.h>
 #include <burnish/material/model.h>
 
 namespace burnish {

@@ -8,8 +8,8 @@
 // Traps       No cosines below: the lobe fades like cos_i towards the horizon.
 #pragma once
 
-#include <burnish/material/half_vector_model.h>
-#include <burnish/material/phong_normals.h>
+#include <burnish/material/lobes/half_vector_model.h>
+#include <burnish/material/lobes/phong_normals.h>
 
 namespace burnish {
 

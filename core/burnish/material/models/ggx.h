@@ -11,7 +11,7 @@
 //             D falls like tan^-4, so a lobe of alpha 0.02 still reflects a bright lamp 30 degrees away.
 #pragma once
 
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/model.h>
 
 namespace burnish {

@@ -11,7 +11,7 @@
 //             but below-horizon draws make it noisy at grazing angles (relative variance 0.6 at 85 deg, m = 0.1).
 #pragma once
 
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/model.h>
 
 namespace burnish {

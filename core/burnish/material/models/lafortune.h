@@ -9,7 +9,7 @@
 //             mirror direction: lobes far off it are for estimators that do not lay their lookups out by half vectors.
 #pragma once
 
-#include <burnish/material/cosine_lobe_model.h>
+#include <burnish/material/lobes/cosine_lobe_model.h>
 
 namespace burnish {
 

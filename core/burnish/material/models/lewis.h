@@ -7,7 +7,7 @@
 // Traps       The albedo falls like cos_o: dark towards the horizon, where real surfaces brighten.
 #pragma once
 
-#include <burnish/material/cosine_lobe_model.h>
+#include <burnish/material/lobes/cosine_lobe_model.h>
 
 namespace burnish {
 

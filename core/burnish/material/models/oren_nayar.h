@@ -9,7 +9,7 @@
 // Traps       It is as wide for every m: D and border are those of normals all over the hemisphere, D = 1 / pi.
 #pragma once
 
-#include <burnish/material/cosine_lobe_model.h>
+#include <burnish/material/lobes/cosine_lobe_model.h>
 
 namespace burnish {
 

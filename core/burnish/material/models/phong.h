@@ -9,7 +9,7 @@
 //             half-vector lobes draw at grazing angles.
 #pragma once
 
-#include <burnish/material/cosine_lobe_model.h>
+#include <burnish/material/lobes/cosine_lobe_model.h>
 
 namespace burnish {
 

@@ -12,7 +12,7 @@
 //             Peaks are alpha wide, far narrower than the median slope, which lies near sqrt(alpha).
 #pragma once
 
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/model.h>
 #include <burnish/material/sgd/sgd_data.h>
 

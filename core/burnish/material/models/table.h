@@ -12,7 +12,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/material/measured/measured_lobe.h>
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/model.h>
 
 namespace burnish {

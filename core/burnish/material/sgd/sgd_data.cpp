@@ -1,4 +1,4 @@
-#include <burnish/material/microfacet.h>
+#include <burnish/material/lobes/microfacet.h>
 #include <burnish/material/model.h>
 #include <burnish/material/sgd/sgd_data.h>
 
