@@ -114,3 +114,13 @@ def test_wrong_words_are_told(kurt, words, complaint):
 def test_what_is_no_report_is_refused(tmp_path):
     (tmp_path / "no.json").write_text("{}")
     assert "expected a report" in run("fit-plots", tmp_path / "no.json", "-o", tmp_path, code=2)
+
+
+@pytest.mark.parametrize("file, told", [
+    ("cayman.brdf", None), ("garnet_red.brdf", None), ("mystique.brdf", "colour changes with the angle"),
+    ("retro-3M-jaune.dat", "reflects back towards the light; no model here does that")])
+def test_what_no_model_shows_is_said(data, file, told):
+    """Real lacquers, one of them with interference pigments, and a retro-reflective tape."""
+    notes = " ".join(burnish.fit(data(f"public/brdf_measured/{file}"))["notes"])
+    assert (told or "lobes") in notes
+    assert told is not None or "no model here" not in notes

@@ -98,7 +98,8 @@ int run_fit(const Options& options) {
 
 std::vector<std::string> model_names() {
     std::vector<std::string> names;
-    for (const ModelInfo& model : models()) names.emplace_back(model.name);
+    for (const ModelInfo& model : models())
+        if (model_by_name(model.name) != ModelId::table) names.emplace_back(model.name);
     return names;
 }
 

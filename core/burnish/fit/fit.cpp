@@ -1,6 +1,7 @@
 #include <burnish/fit/fit.h>
 
 #include <burnish/base/error.h>
+#include <burnish/fit/color_shift.h>
 #include <burnish/fit/fit_curves.h>
 #include <burnish/fit/search/fit_lobes.h>
 #include <burnish/fit/search/lobe_mixture_fit.h>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 namespace burnish {
 namespace {
@@ -31,7 +33,36 @@ FitResult fit_one(const MeasuredBrdf& data, const FitSettings& settings, const P
         throw Error(ErrorCode::bad_argument,
                     "model table: a table is shown as it is, without a fit: --material " + data.file());
     const bool by_slices = has_slices(data) && settings.model && is_fitted_by_slices(*settings.model);
-    return by_slices ? fit_slices(data, settings, progress).result : fit_lobes(data, settings, progress);
+    if (!by_slices) return fit_lobes(data, settings, progress);
+    FitResult result = fit_slices(data, settings, progress).result;
+    result.l1 = l1_error(data, result.material);
+    return result;
+}
+
+/// All candidates, and which of them to take.
+FitComparison compare_models(const MeasuredBrdf& data, const FitSettings& settings, const Progress& progress) {
+    if (!settings.bounds.empty())
+        throw Error(ErrorCode::bad_argument, "bounds are of one model's parameters; name the model, too (--model)");
+    FitComparison comparison;
+    FitSettings own = settings;
+    constexpr auto kParts = static_cast<float>(std::size(kCandidates));
+    for (const ModelId model : kCandidates) {
+        own.model = model;
+        const auto done = static_cast<float>(comparison.tried.size());
+        comparison.tried.push_back(fit_one(data, own, part_of(progress, done / kParts, (done + 1) / kParts)));
+    }
+    const auto price = [](const FitResult& fit) { return *fit.normalised_l2 * (1 + kGainPerNumber * fit.parameters); };
+    comparison.chosen = static_cast<size_t>(std::ranges::min_element(comparison.tried, {}, price) - comparison.tried.begin());
+    return comparison;
+}
+
+void add_color_note(const MeasuredBrdf& data, FitResult& fit) {
+    const double shift = color_shift(data.samples(), fit.material);
+    if (shift < kVisibleColorShift) return;
+    std::ostringstream note;
+    note.precision(2);
+    note << "its colour changes with the angle, by " << 100 * shift << " % from the fit's; no model here does that";
+    fit.notes.push_back(note.str());
 }
 
 json errors_to_json(const FitResult& fit) {
@@ -53,19 +84,10 @@ json colors_to_json(const std::vector<Color3f>& colors) {
 }  // namespace
 
 FitComparison fit_material(const MeasuredBrdf& data, const FitSettings& settings, const Progress& progress) {
-    if (settings.model || !has_slices(data)) return {{fit_one(data, settings, progress)}, 0};
-    if (!settings.bounds.empty())
-        throw Error(ErrorCode::bad_argument, "bounds are of one model's parameters; name the model, too (--model)");
-    FitComparison comparison;
-    FitSettings own = settings;
-    constexpr auto kParts = static_cast<float>(std::size(kCandidates));
-    for (const ModelId model : kCandidates) {
-        own.model = model;
-        const auto done = static_cast<float>(comparison.tried.size());
-        comparison.tried.push_back(fit_one(data, own, part_of(progress, done / kParts, (done + 1) / kParts)));
-    }
-    const auto price = [](const FitResult& fit) { return *fit.normalised_l2 * (1 + kGainPerNumber * fit.parameters); };
-    comparison.chosen = static_cast<size_t>(std::ranges::min_element(comparison.tried, {}, price) - comparison.tried.begin());
+    const bool is_settled = settings.model || !has_slices(data);
+    FitComparison comparison =
+        is_settled ? FitComparison{{fit_one(data, settings, progress)}, 0} : compare_models(data, settings, progress);
+    add_color_note(data, comparison.tried[comparison.chosen]);
     return comparison;
 }
 

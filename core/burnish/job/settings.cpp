@@ -66,7 +66,8 @@ void add_light(std::vector<Setting>& table) {
 
 void add_materials(std::vector<Setting>& table) {
     table.push_back(text({"material", "", "material"}, AT(material), SettingKind::text, "NAME",
-                         "what pixels wear that no assign rule names: a material of the job, a preset or a JSON file"));
+                         "what pixels wear that no assign rule names: a material of the job, a preset, merl:NAME, or a file: "
+                         "JSON or a measured table"));
     table.push_back(materials_setting());
     table.push_back(assign_setting());
     table.push_back(pairs({"old_material", "", "old_materials"}, AT(old_materials), "NAME=OLD",

@@ -67,7 +67,7 @@ AssignRule rule_from_json(const json& value, const std::string& where) {
             fail_unknown(where, "field", key, kRuleKeys);
     }
     if (rule.material.empty())
-        throw Error(ErrorCode::bad_argument, where + ".material: missing; name a material, a preset or a JSON file");
+        throw Error(ErrorCode::bad_argument, where + ".material: missing; name a material, a preset, merl:NAME or a file");
     return rule;
 }
 

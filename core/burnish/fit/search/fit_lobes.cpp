@@ -18,6 +18,11 @@ struct Table {
     TransferSamples upper, lower;
     bool round;
 
+    Table(std::span<const BrdfSample> samples, bool isotropic)
+        : upper(transfer_samples(samples, Side::reflection)),
+          lower(transfer_samples(samples, Side::transmission)),
+          round(isotropic) {}
+
     const TransferSamples& on(Side side) const { return side == Side::reflection ? upper : lower; }
 };
 
@@ -73,7 +78,7 @@ FitResult fit_best_model(const Table& table, const FitSettings& settings, const 
 FitResult fit_lobes(std::span<const BrdfSample> samples, bool isotropic, const FitSettings& settings,
                     const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
-    const Table table{transfer_samples(samples, Side::reflection), transfer_samples(samples, Side::transmission), isotropic};
+    const Table table(samples, isotropic);
     if (table.upper.size() + table.lower.size() == 0)
         throw Error(ErrorCode::bad_argument,
                     "a fit needs measured pairs above 0, found none among " + std::to_string(samples.size()));
@@ -85,8 +90,13 @@ FitResult fit_lobes(std::span<const BrdfSample> samples, bool isotropic, const F
 
 FitResult fit_lobes(const MeasuredBrdf& measured, const FitSettings& settings, const Progress& progress) {
     FitResult result = fit_lobes(measured.samples(), measured.is_isotropic(), settings, progress);
-    if (measured.is_isotropic()) result.normalised_l2 = brdf_error(BrdfGrid({}, measured), result.material).worst_channel();
+    if (measured.is_isotropic() && measured.is_dense())
+        result.normalised_l2 = brdf_error(BrdfGrid({}, measured), result.material).worst_channel();
     return result;
+}
+
+double l1_error(const MeasuredBrdf& measured, const Material& material) {
+    return whole_error(material, Table(measured.samples(), measured.is_isotropic()));
 }
 
 }  // namespace burnish

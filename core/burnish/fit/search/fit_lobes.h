@@ -18,4 +18,7 @@ FitResult fit_lobes(const MeasuredBrdf& measured, const FitSettings& settings, c
 /// The same from pairs. `isotropic`: lobes are round unless bounds name "mx" or "my".
 FitResult fit_lobes(std::span<const BrdfSample> samples, bool isotropic, const FitSettings& settings, const Progress& progress);
 
+/// The error of any material, both sides together, mean of the channels (Walkthrough 3.7).
+double l1_error(const MeasuredBrdf& measured, const Material& material);
+
 }  // namespace burnish
