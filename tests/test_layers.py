@@ -53,15 +53,21 @@ def compile_command():
     return [word for word in command.split() if word.startswith(("-I", "-isystem", "-D", "-std", "/usr/include"))]
 
 
+def is_first_in_its_source(header):
+    """Whether the build has compiled it with nothing before it: its .cpp includes it first."""
+    source = header.with_suffix(".cpp")
+    return source.exists() and includes(source)[:1] == [str(header.relative_to(SOURCE / "core"))]
+
+
 def test_every_header_compiles_alone():
-    flags = compile_command()
+    flags, headers = compile_command(), [header for header in HEADERS if not is_first_in_its_source(header)]
 
     def failure(header):
         command = ["c++", "-fsyntax-only", "-x", "c++", *flags, str(header)]
         return subprocess.run(command, capture_output=True, text=True).stderr.replace("#pragma once in main file", "")
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for header, text in zip(HEADERS, pool.map(failure, HEADERS)):
+        for header, text in zip(headers, pool.map(failure, headers)):
             assert "error:" not in text, f"{header}\n{text}"
 
 
