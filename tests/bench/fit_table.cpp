@@ -134,8 +134,8 @@ void print_angles(const std::vector<BrdfSample>& pairs, const Material& material
 void print_file(const std::string& file, const FitSettings& settings) {
     const std::shared_ptr<const MeasuredBrdf> measured = read_measured(file);
     const FitResult fit = fit_lobes(*measured, settings, {});
-    std::printf("%s: %s\n  L1 %.5f, normalised L2 %.3f, %d numbers, %.1f s\n", file.c_str(),
-                material_to_json(fit.material).dump().c_str(), fit.l1, fit.normalised_l2.value_or(NAN), fit.parameters, fit.seconds);
+    std::printf("%s: %s\n  L1 %.5f, %d numbers, %.1f s\n", file.c_str(), material_to_json(fit.material).dump().c_str(), fit.l1,
+                fit.parameters, fit.seconds);
     for (const std::string& note : fit.notes) std::printf("  %s\n", note.c_str());
     print_angles(measured->samples(), fit.material);
 }
