@@ -2,6 +2,7 @@
 //
 // One row per (model, mx, my, estimator, quadrature, samples, border, level bias, albedo correction), the mean over
 // `--lights` stress lights, or over the files of `--lights-from`, on a sphere of `--size` pixels. `burnish_estimator_error --help` lists the sweeps.
+#include "bench/estimator_names.h"
 #include "core/scenes.h"
 
 #include <burnish/base/parallel.h>
@@ -33,11 +34,6 @@ struct Sweep {
 const std::map<std::string, ModelId> kModels{{"kurt", ModelId::kurt}, {"beckmann", ModelId::beckmann}, {"ggx", ModelId::ggx}};
 const std::map<std::string, PyramidKernel> kKernels{
     {"box2", PyramidKernel::box2}, {"binomial4", PyramidKernel::binomial4}, {"binomial6", PyramidKernel::binomial6}};
-const std::map<std::string, EstimatorKind> kEstimators{{"fitted", EstimatorKind::fitted},
-                                                       {"regular", EstimatorKind::regular},
-                                                       {"filtered_importance", EstimatorKind::filtered_importance},
-                                                       {"preconvolved", EstimatorKind::preconvolved},
-                                                       {"split_sum", EstimatorKind::split_sum}};
 const std::map<std::string, Quadrature> kQuadratures{
     {"half_vector", Quadrature::half_vector}, {"energy", Quadrature::energy}, {"energy_squared", Quadrature::energy_squared}};
 const std::map<std::string, PatternKind> kPatterns{

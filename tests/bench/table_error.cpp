@@ -2,6 +2,7 @@
 //
 // One row per material, estimator and light. The tables are published fits to MERL's, tabulated (published_fits.h). What is shaded is the
 // view-dependent part, the overlay.
+#include "bench/estimator_names.h"
 #include "core/scenes.h"
 #include "published_fits.h"
 
@@ -20,12 +21,6 @@
 using namespace burnish;
 
 namespace {
-
-const std::map<std::string, EstimatorKind> kEstimators{{"fitted", EstimatorKind::fitted},
-                                                       {"regular", EstimatorKind::regular},
-                                                       {"filtered_importance", EstimatorKind::filtered_importance},
-                                                       {"preconvolved", EstimatorKind::preconvolved},
-                                                       {"split_sum", EstimatorKind::split_sum}};
 
 const std::map<std::string, PatternKind> kPatterns{
     {"automatic", PatternKind::automatic}, {"circles", PatternKind::circles}, {"tuned", PatternKind::tuned}};

@@ -12,7 +12,7 @@ namespace burnish {
 /// The material of least L1 error (Walkthrough 3.7) with no more lobes than the data needs, of settings.model or, where there is none,
 /// of whichever of kurt, beckmann and ggx is best for its number of parameters. Grey data give shape and strength; a table in colour
 /// tints them. Same result for any number of threads. Throws Error(bad_argument) for bounds that cannot be and for a table without
-/// a valid sample, Error(cancelled). `normalised_l2` is of isotropic tables, 0 for others.
+/// a valid sample, Error(cancelled). `normalised_l2` only of dense isotropic tables.
 FitResult fit_lobes(const MeasuredBrdf& measured, const FitSettings& settings, const Progress& progress);
 
 /// The same from pairs. `isotropic`: lobes are round unless bounds name "mx" or "my".
