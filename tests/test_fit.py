@@ -124,3 +124,9 @@ def test_what_no_model_shows_is_said(data, file, told):
     notes = " ".join(burnish.fit(data(f"public/brdf_measured/{file}"))["notes"])
     assert (told or "lobes") in notes
     assert told is not None or "no model here" not in notes
+
+
+def test_lobes_that_gain_little_are_left_out(data):
+    """A second lobe on the tape gains more than its noise, but not what its numbers are worth."""
+    report = burnish.fit(data("public/brdf_measured/retro-3M-jaune.dat"))
+    assert report["errors"]["lobes"] == 1 and "which does not pay" in " ".join(report["notes"])
