@@ -55,6 +55,10 @@
 #include <burnish/output/preview.h>
 #include <burnish/output/report.h>
 
+#include <burnish/plan/cost_model.h>
+#include <burnish/plan/error_model.h>
+#include <burnish/plan/truth.h>
+
 #include <burnish/job/build_lights.h>
 #include <burnish/job/bake.h>
 #include <burnish/job/color_flow.h>

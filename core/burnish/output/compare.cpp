@@ -1,3 +1,4 @@
+#include <burnish/base/display.h>
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/base/types.h>
@@ -12,10 +13,7 @@
 namespace burnish {
 namespace {
 
-constexpr double kMiddleGrey = 0.18;
 constexpr double kRelMseFloor = 0.01;  // of the reference's mean
-
-double srgb_encoded(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
 
 /// The two images, what covers them, and how many channels count.
 struct Pair {
@@ -86,7 +84,7 @@ double reference_mean(const Pair& pair, const Sums& sums) {
 
 Sums error_sums(const Pair& pair, double mean) {
     const double floor = kRelMseFloor * mean, exposure = mean > 0 ? kMiddleGrey / mean : 1;
-    const auto display = [exposure](double value) { return srgb_encoded(std::clamp(value * exposure, 0.0, 1.0)); };
+    const auto display = [exposure](double value) { return display_encoded(value * exposure); };
     return sum_pixels(pair, [&](int x, int y, Sums& sums) {
         for (int c = 0; c < pair.channels; ++c) {
             const double a = pair.test.at(x, y)[c], b = pair.reference.at(x, y)[c], error = a - b;
