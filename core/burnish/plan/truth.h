@@ -23,22 +23,25 @@ struct Closeness {
 
 class Truth {
 public:
-    /// `batch`: of the pixels, with the fields that `reference` needs, whose estimator is `reference`.
-    Truth(SurfaceBatch batch, const MaterialShader& reference);
+    /// `reference`: the pixels' material under the estimator `reference`.
+    Truth(const Surfaces& surfaces, std::span<const uint32_t> pixels, const MaterialShader& reference);
 
-    const SurfaceBatch& batch() const { return m_batch; }
-    const std::vector<Color3f>& radiance() const { return m_radiance; }
-    /// Lookups that were spent on all of it.
+    /// Of an estimator that shades the pixels, of an overlay that holds them, of values in the order of the pixels.
+    Closeness closeness(const MaterialShader& estimator) const;
+    Closeness closeness(const Image& overlay) const;
+    Closeness closeness(std::span<const Color3f> estimate) const;
+
+    size_t pixel_count() const { return m_pixels.size(); }
+    /// That the reference spent, all pixels.
     double lookups() const { return m_lookups; }
 
-    /// Entry i of `estimate` is for pixel i of the batch.
-    Closeness closeness(std::span<const Color3f> estimate) const;
-    Closeness closeness(const MaterialShader& estimator) const;
-
 private:
-    SurfaceBatch m_batch;
+    std::vector<ShadedBatch> shaded(const MaterialShader& shader) const;
+
+    std::vector<uint32_t> m_pixels;
+    std::vector<SurfaceBatch> m_batches;  // of a few pixels, for threads
     std::vector<Color3f> m_radiance;
-    std::vector<float> m_relative_error;  // standard error over the luminance
+    std::vector<float> m_relative_error;  // standard error over luminance
     double m_exposure = 1, m_lookups = 0;
 };
 
