@@ -27,7 +27,9 @@ void print(const Report& report, const Options& options) {
     for (const FrameReport& frame : report.frames) {
         if (options.verbose) print_lines("note", frame.notes);
         if (!options.quiet) print_lines("warning", frame.warnings);
-        if (!options.quiet && !options.as_json) std::printf("%s\n", summary(frame).c_str());
+        if (options.quiet || options.as_json) continue;
+        std::printf("%s\n", summary(frame).c_str());
+        for (const PlanReport& plan : frame.plan) std::printf("  %s\n", summary(plan).c_str());
     }
     if (options.as_json) std::printf("%s\n", report_to_json(report).dump(2).c_str());
 }

@@ -83,7 +83,7 @@ Look look_of(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environmen
         load_frame_lights(loaded, color, of_light);
         return loaded;
     });
-    return timed(seconds, "tables", [&] { return prepare_look(job, std::move(wardrobe), std::move(rig)); });
+    return prepare_look(job, std::move(wardrobe), std::move(rig));
 }
 
 py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays, const py::object& light,

@@ -54,7 +54,7 @@ private:
         });
         m_report.notes = rig.notes;
         m_report.warnings.insert(m_report.warnings.end(), rig.warnings.begin(), rig.warnings.end());
-        m_look = timed(m_report.seconds, "tables", [&] { return prepare_look(m_job, m_wardrobe, std::move(rig)); });
+        m_look = prepare_look(m_job, m_wardrobe, std::move(rig), static_cast<int>(m_frames.size()));
         band.is_run_over = false;
     }
 

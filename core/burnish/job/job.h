@@ -11,6 +11,7 @@
 #include <burnish/light/light_settings.h>
 #include <burnish/material/parameters.h>
 #include <burnish/output/exr_writer.h>
+#include <burnish/plan/quality_target.h>
 #include <burnish/sampling/density.h>
 #include <burnish/sampling/estimator.h>
 #include <burnish/surface/surfaces.h>
@@ -68,6 +69,7 @@ struct Job {
     std::map<std::string, std::string> old_materials;  // mode difference: material of the render, by today's name
     PerPixel per_pixel;                                // applied to every lobe
 
+    QualityTarget target;  // set: it decides on estimator and density, whose settings count for nothing but where they forbid
     EstimatorSettings estimator;
     DensitySettings density;
     SurfaceSettings surface;

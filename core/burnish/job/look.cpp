@@ -1,11 +1,12 @@
 #include <burnish/job/look.h>
 
 #include <burnish/base/error.h>
+#include <burnish/job/look_plan.h>
+#include <burnish/job/ready_materials.h>
 #include <burnish/material/albedo.h>
 #include <burnish/material/library.h>
 
 #include <cstdio>
-#include <map>
 #include <set>
 
 namespace burnish {
@@ -48,45 +49,16 @@ void warn_of_energy(const std::string& name, const Material& material, std::vect
     warnings.push_back("material '" + name + "' creates energy: it reflects " + numbers + "; lower its strength");
 }
 
-using ReadyMaterials = std::vector<std::shared_ptr<const ReadyMaterial>>;
+/// A material with what is left of its lobes, and what its tables are called: an old one may have the name of a new one.
+struct Worn {
+    std::string name;
+    Material material;
+};
 
-/// One for every rule; `materials` may be empty.
-ReadyMaterials ready_materials(const Job& job, const Wardrobe& wardrobe, const std::vector<Material>& materials,
-                               const Rig& rig) {
-    std::map<std::string, std::shared_ptr<ReadyMaterial>> by_name;
-    ReadyMaterials ready;
-    const bool sparse = is_sparse(job.density.density, job.estimator.kind);
-    for (size_t rule = 0; rule < materials.size(); ++rule) {
-        std::shared_ptr<ReadyMaterial>& own = by_name[wardrobe.rules[rule].material];
-        if (!own) own = std::make_shared<ReadyMaterial>();
-        const PossibleLight light = possible_light(rig, rule);
-        if (light.distant && !own->distant) {
-            own->distant.emplace(materials[rule], *rig.environment(), job.estimator);
-            if (sparse) own->distant_predictor.emplace(materials[rule], *rig.environment(), job.density);
-        }
-        if (light.other && !own->taps) {
-            own->taps = std::make_shared<const MaterialTaps>(materials[rule], job.estimator);
-            if (sparse) own->probes = std::make_shared<const MaterialProbes>(materials[rule], job.density);
-        }
-        ready.push_back(own);
-    }
-    return ready;
-}
-
-void equip(const Look& look, const ReadyMaterials& materials, const std::vector<LitRule>& looks,
-           std::vector<MaterialShader>& shaders, std::vector<BandwidthPredictor>& predictors) {
-    if (materials.empty()) return;
-    for (const LitRule& lit : looks) {
-        const ReadyMaterial& material = *materials[lit.rule];
-        if (look.rig.is_distant(lit.chain)) {
-            shaders.push_back(*material.distant);
-            if (material.distant_predictor) predictors.push_back(*material.distant_predictor);
-            continue;
-        }
-        const LightChain chain = look.rig.chain(lit.chain);
-        shaders.emplace_back(material.taps, chain);
-        if (material.probes) predictors.emplace_back(material.probes, chain);
-    }
+Worn worn(std::string kind, const std::string& name, const Material& material, const std::optional<LobeChoice>& lobes) {
+    if (!lobes || lobes->size() == material.lobes.size()) return {kind + " " + name, material};
+    for (const size_t lobe : *lobes) kind += " " + std::to_string(lobe);
+    return {kind + " " + name, with_lobes(material, *lobes)};
 }
 
 }  // namespace
@@ -105,18 +77,37 @@ Wardrobe prepare_wardrobe(const Job& job) {
     return wardrobe;
 }
 
-Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig) {
-    Look look{std::move(wardrobe), std::move(rig), {}, {}};
-    look.materials = ready_materials(job, look.wardrobe, look.wardrobe.materials, look.rig);
-    look.old_materials = ready_materials(job, look.wardrobe, look.wardrobe.old_materials, look.rig);
+Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, int frames) {
+    Look look{std::move(wardrobe), std::move(rig), {job.estimator, job.density, {}}, frames, {}, {}};
+    look.ready = std::make_shared<ReadyMaterials>();
+    if (job.target.is_set()) look.plan = std::make_shared<LookPlan>(job.target);
     return look;
 }
 
-Equipment equip(const Look& look, const std::vector<LitRule>& looks) {
+Equipment equip(const Look& look, const std::vector<LitRule>& looks, const std::vector<ShadingSettings>& shading) {
+    const Wardrobe& wardrobe = look.wardrobe;
+    const auto settings_of = [&](size_t i) -> const ShadingSettings& { return shading.empty() ? look.shading : shading[i]; };
+    bool sparse = false;
+    for (size_t i = 0; i < looks.size(); ++i) sparse |= settings_of(i).is_sparse();
     Equipment equipment;
-    equip(look, look.materials, looks, equipment.shaders, equipment.predictors);
-    equip(look, look.old_materials, looks, equipment.old_shaders, equipment.old_predictors);
+    for (size_t i = 0; i < looks.size(); ++i) {
+        const auto& [rule, chain] = looks[i];
+        const ShadingSettings& settings = settings_of(i);
+        const std::string& name = wardrobe.rules[rule].material;
+        const auto add = [&](const Worn& own, auto& shaders, auto& predictors) {
+            shaders.push_back(look.ready->shader(own.name, own.material, look.rig, chain, settings.estimator));
+            if (sparse) predictors.push_back(look.ready->predictor(own.name, own.material, look.rig, chain, settings.density));
+        };
+        add(worn("new", name, wardrobe.materials[rule], settings.lobes), equipment.shaders, equipment.predictors);
+        if (!wardrobe.old_materials.empty())
+            add(worn("old", name, wardrobe.old_materials[rule], {}), equipment.old_shaders, equipment.old_predictors);
+    }
     return equipment;
+}
+
+MaterialShader equip_shader(const Look& look, const LitRule& lit, const ShadingSettings& shading) {
+    const Worn own = worn("new", look.wardrobe.rules[lit.rule].material, look.wardrobe.materials[lit.rule], shading.lobes);
+    return look.ready->shader(own.name, own.material, look.rig, lit.chain, shading.estimator);
 }
 
 }  // namespace burnish

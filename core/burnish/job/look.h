@@ -5,8 +5,7 @@
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
 #include <burnish/material/diffuse_reflectance.h>
-#include <burnish/shading/local_prediction.h>
-#include <burnish/shading/local_shading.h>
+#include <burnish/plan/planner.h>
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/predictor.h>
 
@@ -31,32 +30,41 @@ struct Wardrobe {
 /// Throws Error(bad_argument) when the job has no material, or one that is neither its own, a preset nor a file.
 Wardrobe prepare_wardrobe(const Job& job);
 
-/// A material ready for light: for the environment alone, whose tables are its own, and for chains of lights, which share theirs.
-/// What no pixel of the material can come to lie under is empty.
-struct ReadyMaterial {
-    std::optional<MaterialShader> distant;
-    std::optional<BandwidthPredictor> distant_predictor;  // sparse shading only
-    std::shared_ptr<const MaterialTaps> taps;
-    std::shared_ptr<const MaterialProbes> probes;  // sparse shading only
+/// How a material is shaded.
+struct ShadingSettings {
+    EstimatorSettings estimator;
+    DensitySettings density;
+    std::optional<LobeChoice> lobes;  // none: all
+
+    bool is_sparse() const { return burnish::is_sparse(density.density, estimator.kind); }
 };
 
-/// Wardrobe and lights, ready to shade. Entry i of the lists belongs to rule i; rules of one material share it.
+class ReadyMaterials;
+class LookPlan;
+
+/// Wardrobe and lights, ready to shade: what a frame needs is made when the first frame asks, and kept for the next.
 struct Look {
     Wardrobe wardrobe;
     Rig rig;
-    std::vector<std::shared_ptr<const ReadyMaterial>> materials, old_materials;
+    ShadingSettings shading;                // of the job
+    int frames = 1;                         // that will use it, about: what is made once is worth more
+    std::shared_ptr<ReadyMaterials> ready;  // tables of materials
+    std::shared_ptr<LookPlan> plan;         // with a target only
 };
 
-Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig);
+Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, int frames = 1);
 
-/// What shades the looks of a frame: entry i belongs to look i. Predictors: sparse shading only.
+/// What shades the looks of a frame: entry i belongs to look i. Predictors: where any look is sparse.
 struct Equipment {
     std::vector<MaterialShader> shaders, old_shaders;
     std::vector<BandwidthPredictor> predictors, old_predictors;
 };
 
-/// Cheap: tables are those of the materials. The look must outlive the result.
-Equipment equip(const Look& look, const std::vector<LitRule>& looks);
+/// Makes the tables that are not there yet. `shading`: of each look; empty = as the job says. The look must outlive the result. Not
+/// thread-safe.
+Equipment equip(const Look& look, const std::vector<LitRule>& looks, const std::vector<ShadingSettings>& shading = {});
+/// The same for one look's material alone, without predictors.
+MaterialShader equip_shader(const Look& look, const LitRule& lit, const ShadingSettings& shading);
 
 /// The job's environment, in the frame's colour space. An up axis left to burnish is the one of the frame's renderer.
 /// Throws Error(bad_argument | read_failed | color_space).

@@ -41,11 +41,4 @@ struct Rig {
     LightChain chain(const RigChain& places) const;
 };
 
-/// Under what a rule's pixels can come to lie.
-struct PossibleLight {
-    bool distant = false;  // the environment alone
-    bool other = false;    // any other chain
-};
-PossibleLight possible_light(const Rig& rig, size_t rule);
-
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include <burnish/base/parallel.h>
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/frame_cover.h>
+#include <burnish/job/look_plan.h>
 #include <burnish/job/stages.h>
 #include <burnish/shading/sparse.h>
 
@@ -119,6 +120,7 @@ void Tally::operator+=(const Tally& band) {
     for (size_t i = 0; i < pixels.size(); ++i) pixels[i] += band.pixels[i];
     add(band.shaded, shaded), add(band.selected, selected);
     lookups += band.lookups, unlit += band.unlit;
+    plan.insert(plan.end(), band.plan.begin(), band.plan.end());
     notes.insert(notes.end(), band.notes.begin(), band.notes.end());
     warnings.insert(warnings.end(), band.warnings.begin(), band.warnings.end());
     lacks_tangents = band.lacks_tangents;
@@ -129,7 +131,7 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
                       const Progress& progress) {
     FrameResult result;
     NamedValues<double> seconds;
-    const bool difference = !look.old_materials.empty();
+    const bool difference = !look.wardrobe.old_materials.empty();
     const AovFrame& shown = fine ? *fine : frame;
     if (given) check_size(*given, shown.data_window);
     LitAssignment lit;
@@ -143,17 +145,29 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
     });
     result.tally = tally_of(surfaces, lit.looks, std::move(selected));
     const std::vector<DiffuseReflectance> kd = kd_of(look.wardrobe, lit.looks);
-    const Equipment equipment = equip(look, lit.looks);
+    std::vector<ShadingSettings> shading;
+    if (look.plan)
+        shading = timed(seconds, "planning", [&] {
+            return look.plan->plan(look, {surfaces, assignment, lit.looks}, progress);
+        });
+    Equipment equipment = timed(seconds, "tables", [&] { return equip(look, lit.looks, shading); });
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
-    timed(seconds, "shading", [&] {
+    const auto shade_all = [&] {
         const bool with_samples = job.output.diagnostics || shown.has_shaded_margins();
         result.shaded = shade(shown, surfaces, assignment, equipment.shaders, equipment.predictors,
                               part_of(progress, 0.0f, difference ? 0.5f : 1.0f), with_samples);
         if (difference)
             old = shade(shown, surfaces, assignment, equipment.old_shaders, equipment.old_predictors,
                         part_of(progress, 0.5f, 1.0f), shown.has_shaded_margins());
-    });
+    };
+    timed(seconds, "shading", shade_all);
+    if (look.plan && timed(seconds, "checking", [&] { return look.plan->correct(result.shaded.overlay); })) {
+        equipment = timed(seconds, "tables", [&] { return equip(look, lit.looks, look.plan->shading()); });
+        timed(seconds, "shading", shade_all);
+        timed(seconds, "checking", [&] { look.plan->check(result.shaded.overlay); });
+    }
+    if (look.plan) result.tally.plan = look.plan->reports(look);
     result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
     const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {
         if (fine || job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
@@ -184,6 +198,7 @@ FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* 
     if (tally.lacks_tangents) warn_of_tangents(look, job.surface.tangent_axis, report);
     report.lookups = tally.lookups;
     report.seconds = tally.seconds;
+    report.plan = tally.plan;
     return report;
 }
 

@@ -19,6 +19,7 @@ struct Tally {
     size_t unlit = 0;  // shaded pixels that no light is assigned to
     bool lacks_tangents = false;
     NamedValues<double> seconds;
+    std::vector<PlanReport> plan;
     std::vector<std::string> notes, warnings;  // of the frame's own lights
 
     void operator+=(const Tally& band);

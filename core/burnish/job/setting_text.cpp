@@ -28,6 +28,13 @@ json number_or_text(const std::string& text) {
     return text;
 }
 
+/// "0.2s" of seconds and "45dB" are numbers, too.
+std::string without_unit(const Setting& setting, const std::string& text) {
+    const size_t digits = text.find_last_of("0123456789.") + 1;
+    const std::string_view unit = std::string_view(text).substr(digits);
+    return !unit.empty() && setting.unit.starts_with(unit) ? text.substr(0, digits) : text;
+}
+
 json boolean_or_text(const std::string& text) {
     if (text == "true" || text == "on" || text == "yes" || text == "1") return true;
     if (text == "false" || text == "off" || text == "no" || text == "0") return false;
@@ -53,7 +60,7 @@ json setting_from_text(const Setting& setting, const std::string& text, const st
     switch (setting.kind) {
         case SettingKind::boolean: return boolean_or_text(text);
         case SettingKind::integer:
-        case SettingKind::number: return number_or_text(text);
+        case SettingKind::number: return number_or_text(without_unit(setting, text));
         case SettingKind::names: return text.empty() ? json::array() : json(split(text));
         case SettingKind::color:
         case SettingKind::vector: return numbers(text);

@@ -117,6 +117,19 @@ void add_quality(std::vector<Setting>& table) {
                             "reference: most samples of a pixel"));
 }
 
+void add_target(std::vector<Setting>& table) {
+    table.push_back(
+        number({"psnr", "quality", "psnr"}, AT(target.psnr), {0, 100}, "dB",
+               "display PSNR that every material is to reach against the exact integral, instead of estimator, samples "
+               "and density, which are then chosen; checked at some hundred pixels; 0: not asked"));
+    table.push_back(number({"max_error", "quality", "max_error"}, AT(target.max_error), {0, 1}, "",
+                           "the same by the largest error of a checked pixel, as displayed, white = 1; 0: not asked"));
+    table.push_back(
+        number({"time", "quality", "time"}, AT(target.seconds), {0, 1e6}, "seconds",
+               "that a frame may take by the clock, light and tables included, reading and writing not, on the machine "
+               "that was calibrated: the best picture that does; 0: not asked"));
+}
+
 void add_density(std::vector<Setting>& table) {
     table.push_back(choice<ShadingDensity>(
         {"density", "quality", "density"}, AT(density.density),
@@ -207,8 +220,8 @@ void add_output(std::vector<Setting>& table) {
 
 std::vector<Setting> make_settings() {
     std::vector<Setting> table;
-    for (auto* add : {add_input, add_light, add_materials, add_quality, add_density, add_surface, add_composite, add_antialias,
-                      add_color, add_output})
+    for (auto* add : {add_input, add_light, add_materials, add_target, add_quality, add_density, add_surface, add_composite,
+                      add_antialias, add_color, add_output})
         add(table);
     return table;
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace burnish {
@@ -24,6 +25,31 @@ std::string status_name(FrameStatus status) {
         case FrameStatus::failed: return "failed";
     }
     return "";
+}
+
+/// JSON knows no infinity.
+json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json plan_to_json(const PlanReport& plan) {
+    json result = {{"material", plan.material},
+                   {"lights", plan.lights},
+                   {"plan", plan.words},
+                   {"estimator", plan.estimator},
+                   {"samples", plan.samples},
+                   {"density", plan.safety > 0 ? "sparse" : "dense"},
+                   {"lobes", plan.lobes},
+                   {"dropped_lobes", plan.dropped_lobes},
+                   {"target_db", plan.target_db},
+                   {"expected_db", plan.expected_db},
+                   {"expected_seconds", plan.expected_seconds},
+                   {"found_db", number_or_null(plan.found_db)},
+                   {"least_db", number_or_null(plan.least_db)},
+                   {"largest_error", plan.largest_error},
+                   {"checked_pixels", plan.checked_pixels},
+                   {"corrected", plan.is_corrected}};
+    if (plan.safety > 0) result["safety"] = plan.safety;
+    if (plan.tolerance > 0) result["tolerance"] = plan.tolerance;
+    return result;
 }
 
 }  // namespace
@@ -49,6 +75,7 @@ json report_to_json(const FrameReport& frame) {
     result["pixels"] = object(frame.pixels);
     result["materials"] = object(frame.materials);
     result["seconds"] = object(frame.seconds);
+    for (const PlanReport& plan : frame.plan) result["plan"].push_back(plan_to_json(plan));
     return result;
 }
 
@@ -64,6 +91,20 @@ json report_to_json(const Report& report) {
             {"notes", report.notes},
             {"warnings", report.warnings},
             {"seconds", object(report.seconds)}};
+}
+
+std::string summary(const PlanReport& plan) {
+    const bool is_beyond = !std::isfinite(plan.found_db);  // what the truth's own noise lets be told
+    char found[200];
+    std::snprintf(found, sizeof found,
+                  ": %.1f dB%s of %.1f asked (at least %.1f, largest error %.1f %% of white, %zu pixels checked): ",
+                  is_beyond ? plan.least_db : plan.found_db, is_beyond ? " or more" : "", plan.target_db, plan.least_db,
+                  100 * plan.largest_error, plan.checked_pixels);
+    std::string text = plan.material + found + plan.words;
+    if (plan.dropped_lobes > 0)
+        text += "; " + std::to_string(plan.dropped_lobes) + " of " + std::to_string(plan.lobes + plan.dropped_lobes) +
+                " lobes left out";
+    return text + (plan.is_corrected ? "; the first plan missed" : "");
 }
 
 std::string summary(const FrameReport& frame) {

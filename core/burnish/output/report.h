@@ -16,6 +16,24 @@ enum class FrameStatus { done, skipped, failed };
 template <class T>
 using NamedValues = std::vector<std::pair<std::string, T>>;
 
+/// How a material was shaded to meet a target, and how near it came at the pixels that were checked. dB of display PSNR.
+struct PlanReport {
+    std::string material;
+    std::vector<std::string> lights;  // the one in front first
+    std::string words;                // "fitted, 6 lookups a lobe, sparse at safety 1"
+    std::string estimator;            // and its settings, as a job takes them
+    int samples = 0;
+    float safety = 0, tolerance = 0;  // 0: dense; 0: not `reference`
+    size_t lobes = 0, dropped_lobes = 0;
+    double target_db = 0;  // asked for, or what the time allows
+    double expected_db = 0, expected_seconds = 0;
+    double found_db = 0;       // at the checked pixels; infinite where no difference was found
+    double least_db = 0;       // it is at least so much, in nine of ten draws of pixels
+    double largest_error = 0;  // of white
+    size_t checked_pixels = 0;
+    bool is_corrected = false;  // the first plan missed the target
+};
+
 struct FrameReport {
     std::optional<int> frame;  // number, where the job has a frame pattern
     FrameStatus status = FrameStatus::done;
@@ -28,6 +46,7 @@ struct FrameReport {
     NamedValues<size_t> materials;   // shaded pixels of each rule
     double lookups = 0;              // in the light, all pixels
     NamedValues<double> seconds;     // wall time by stage
+    std::vector<PlanReport> plan;    // of each material under its lights, where the job has a target
     std::vector<std::string> notes, warnings;
 };
 
@@ -44,6 +63,8 @@ struct Report {
 nlohmann::json report_to_json(const Report& report);
 nlohmann::json report_to_json(const FrameReport& frame);
 
+/// "gold: 45.6 dB of 45 asked (at least 45.1, 300 pixels checked): fitted, 6 lookups a lobe, sparse at safety 1"
+std::string summary(const PlanReport& plan);
 /// "out.0012.exr  640x360  1.2 s (shading 0.9)  180 000 pixels in gold, varnish"
 std::string summary(const FrameReport& frame);
 

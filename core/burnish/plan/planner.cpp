@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 
 namespace burnish {
 namespace {
@@ -33,6 +34,19 @@ float tolerance_for(double db) {
 
 }  // namespace
 
+LobeChoice all_lobes(const Material& material) {
+    LobeChoice all(material.lobes.size());
+    std::iota(all.begin(), all.end(), size_t{0});
+    return all;
+}
+
+Material with_lobes(const Material& material, const LobeChoice& lobes) {
+    Material result = material;
+    result.lobes.clear();
+    for (const size_t lobe : lobes) result.lobes.push_back(material.lobes[lobe]);
+    return result;
+}
+
 double level_of(const QualityTarget& target) {
     const double by_largest = target.max_error > 0 ? level_of_largest(target.max_error) : 0;
     return std::max<double>(target.psnr, by_largest);
@@ -54,25 +68,53 @@ float truth_tolerance(const QualityTarget& target) {
 Planner::Planner(std::vector<PlanSubject> subjects, const QualityTarget& target, const EstimatorSettings& settings,
                  const MachineCosts& machine)
     : m_subjects(std::move(subjects)), m_target(target), m_settings(settings), m_machine(machine) {
-    for (const PlanSubject& subject : m_subjects) m_forecasts.emplace_back(*subject.material);
+    for (size_t i = 0; i < m_subjects.size(); ++i) {
+        drop_lobes(i);
+        m_forecasts.emplace_back(m_materials.emplace_back(with_lobes(*m_subjects[i].material, m_lobes[i])));
+    }
     probe();
     m_level = level_of(target);
     if (target.seconds > 0) m_level = m_level > 0 ? std::min(m_level, highest_level()) : highest_level();
     m_choices = choose_all(m_level);
-    Allowed allowed{false, false};
-    for (const Choice& choice : m_choices) {
-        allowed.pyramid |= reads_pyramid(choice.configuration);
-        allowed.stack |= reads_stack(choice.configuration, choice.safety);
-    }
+    for (const Choice& choice : m_choices) use(choice);
     m_plans.resize(m_subjects.size());
-    for (size_t i = 0; i < m_subjects.size(); ++i) settle(i, m_choices[i], allowed);
+    for (size_t i = 0; i < m_subjects.size(); ++i) settle(i);
+}
+
+/// Of several lobes those whose absence shows least, as long as all that are left out together make a twentieth of the error that
+/// may be made.
+void Planner::drop_lobes(size_t subject) {
+    constexpr double kSpare = 13, kUsual = 40;  // dB
+    const PlanSubject& of = m_subjects[subject];
+    const double level = level_of(m_target) > 0 ? level_of(m_target) : kUsual;
+    LobeChoice kept = all_lobes(*of.material);
+    const auto shaded = [&](const LobeChoice& lobes) { return of.truth.shade(of.shader(with(m_settings, kProbe), lobes)); };
+    const std::vector<Color3f> whole = kept.size() > 1 ? shaded(kept) : std::vector<Color3f>();
+    while (kept.size() > 1) {
+        LobeChoice best;
+        double most = level + kSpare;
+        for (size_t out = 0; out < kept.size(); ++out) {
+            LobeChoice fewer = kept;
+            fewer.erase(fewer.begin() + static_cast<ptrdiff_t>(out));
+            const double db = of.truth.distance_db(shaded(fewer), whole);
+            if (db >= most) most = db, best = std::move(fewer);
+        }
+        if (best.empty()) break;
+        kept = std::move(best);
+    }
+    m_lobes.push_back(std::move(kept));
+}
+
+MaterialShader Planner::shader_of(size_t subject, const Configuration& configuration) const {
+    return m_subjects[subject].shader(with(m_settings, configuration), m_lobes[subject]);
 }
 
 void Planner::probe() {
     for (size_t i = 0; i < m_subjects.size(); ++i) {
-        const PlanSubject& subject = m_subjects[i];
-        const Closeness found = subject.truth.closeness(subject.shader(with(m_settings, kProbe)));
-        m_forecasts[i].learn(kProbe, std::min(credit(found, m_target), kHighestLevel));
+        for (const Configuration& known : {kProbe, kOtherProbe}) {
+            const Closeness found = m_subjects[i].truth.closeness(shader_of(i, known));
+            m_forecasts[i].learn(known, std::min(credit(found, m_target), kHighestLevel));
+        }
     }
 }
 
@@ -89,7 +131,7 @@ double Planner::highest_level() const {
 std::vector<Planner::Choice> Planner::choose_all(double level) const {
     std::vector<Choice> best;
     double least = std::numeric_limits<double>::infinity();
-    for (const Allowed allowed : {Allowed{true, true}, Allowed{true, false}, Allowed{false, true}}) {
+    for (const Forms allowed : {Forms{true, true}, Forms{true, false}, Forms{false, true}}) {
         std::vector<Choice> choices;
         for (size_t i = 0; i < m_subjects.size(); ++i) choices.push_back(choose(i, level, allowed));
         const double seconds = total_seconds(choices);
@@ -98,7 +140,7 @@ std::vector<Planner::Choice> Planner::choose_all(double level) const {
     return best;
 }
 
-Planner::Choice Planner::choose(size_t subject, double level, const Allowed& allowed) const {
+Planner::Choice Planner::choose(size_t subject, double level, const Forms& allowed) const {
     Choice best{kReference, 0, level, reference_seconds_of(subject, tolerance_for(level))};
     for (const Configuration& configuration : configurations())
         for (const float safety : m_subjects[subject].safeties) {
@@ -116,7 +158,7 @@ double Planner::seconds(size_t subject, const Configuration& configuration, floa
     const PlanSubject& of = m_subjects[subject];
     CostCase filtered = of.cost;
     filtered.has_pyramid = filtered.has_stack = true;
-    return predicted_seconds(m_machine, *of.material, configuration, safety, filtered);
+    return predicted_seconds(m_machine, m_materials[subject], configuration, safety, filtered);
 }
 
 /// From what the truth took: lookups go like tolerance^(-4/3).
@@ -129,47 +171,65 @@ double Planner::reference_seconds_of(size_t subject, float tolerance) const {
 
 double Planner::total_seconds(const std::vector<Choice>& choices) const {
     double total = 0;
-    bool pyramid = false, stack = false;
+    Forms forms;
     for (const Choice& choice : choices) {
         total += choice.seconds;
-        pyramid |= reads_pyramid(choice.configuration), stack |= reads_stack(choice.configuration, choice.safety);
+        forms.pyramid |= reads_pyramid(choice.configuration), forms.stack |= reads_stack(choice.configuration, choice.safety);
     }
-    return total + (pyramid ? filter_seconds(false) : 0) + (stack ? filter_seconds(true) : 0);
+    return total + filter_seconds(forms);
 }
 
-/// Of the light, unless it is there: what a frame bears of it.
-double Planner::filter_seconds(bool stack) const {
-    for (const PlanSubject& subject : m_subjects) {
-        if (subject.cost.is_near || (stack ? subject.cost.has_stack : subject.cost.has_pyramid)) continue;
-        CostCase without = subject.cost, filtered = subject.cost;
+/// What filtering distant light so adds to a frame, where it is not filtered yet.
+double Planner::filter_seconds(const Forms& forms) const {
+    const auto distant = std::ranges::find_if(m_subjects, [](const PlanSubject& s) { return !s.cost.is_near; });
+    if (distant == m_subjects.end()) return 0;
+    const auto seconds_of = [&](const Configuration& any, bool pyramid, bool stack) {
+        CostCase of = distant->cost, filtered = distant->cost;
+        of.has_pyramid |= !pyramid, of.has_stack |= !stack;
         filtered.has_pyramid = filtered.has_stack = true;
-        (stack ? without.has_pyramid : without.has_stack) = true;
-        const Configuration any = stack ? Configuration{EstimatorKind::fitted, 1} : kProbe;
-        return predicted_seconds(m_machine, *subject.material, any, 0, without) -
-               predicted_seconds(m_machine, *subject.material, any, 0, filtered);
-    }
-    return 0;
+        return predicted_seconds(m_machine, *distant->material, any, 0, of) -
+               predicted_seconds(m_machine, *distant->material, any, 0, filtered);
+    };
+    return (forms.pyramid ? seconds_of(kProbe, true, false) : 0) +
+           (forms.stack ? seconds_of({EstimatorKind::fitted, 1}, false, true) : 0);
+}
+
+void Planner::use(const Choice& choice) {
+    m_forms.pyramid |= reads_pyramid(choice.configuration);
+    m_forms.stack |= reads_stack(choice.configuration, choice.safety);
+}
+
+/// Of what is filtered already, or of all where that is worth the filtering.
+Planner::Choice Planner::choose_next(size_t subject) {
+    const Choice within = choose(subject, m_level, m_forms), beyond = choose(subject, m_level, {true, true});
+    Forms added{reads_pyramid(beyond.configuration) && !m_forms.pyramid,
+                reads_stack(beyond.configuration, beyond.safety) && !m_forms.stack};
+    const Choice& next = beyond.seconds + filter_seconds(added) < within.seconds ? beyond : within;
+    use(next);
+    return next;
 }
 
 /// Measures what was chosen, and the next one where it misses.
-void Planner::settle(size_t subject, Choice choice, const Allowed& allowed) {
+void Planner::settle(size_t subject) {
     Forecast& forecast = m_forecasts[subject];
+    Choice& choice = m_choices[subject];
+    const PlanSubject& of = m_subjects[subject];
+    const bool asks_quality = level_of(m_target) > 0;
     for (int tries = 0; tries < kMostMeasured && choice.configuration != kReference; ++tries) {
-        if (forecast.knows(choice.configuration)) break;
-        const PlanSubject& of = m_subjects[subject];
-        const Closeness found = of.truth.closeness(of.shader(with(m_settings, choice.configuration)));
+        if (!asks_quality || forecast.knows(choice.configuration)) break;
+        const Closeness found = of.truth.closeness(shader_of(subject, choice.configuration));
         forecast.learn(choice.configuration, std::min(credit(found, m_target), kHighestLevel));
-        if (m_target.psnr <= 0 && m_target.max_error <= 0) break;
-        choice = choose(subject, m_level, allowed);
+        choice = choose_next(subject);
     }
-    m_choices[subject] = choice;
-    m_plans[subject] = plan_of(choice);
+    m_plans[subject] = plan_of(subject);
 }
 
-MaterialPlan Planner::plan_of(const Choice& choice) const {
+MaterialPlan Planner::plan_of(size_t subject) const {
+    const Choice& choice = m_choices[subject];
     MaterialPlan plan;
+    plan.lobes = m_lobes[subject];
     plan.estimator = with(m_settings, choice.configuration);
-    if (choice.configuration == kReference) plan.estimator.tolerance = tolerance_for(m_level);
+    if (choice.configuration == kReference) plan.estimator.adaptive = true, plan.estimator.tolerance = tolerance_for(m_level);
     plan.safety = choice.safety, plan.expected_db = choice.db, plan.expected_seconds = choice.seconds;
     return plan;
 }
@@ -183,16 +243,21 @@ bool Planner::correct(size_t subject, const Closeness& found) {
         forecast.learn_sparse(now.configuration, now.safety, reached);
     else
         forecast.learn(now.configuration, reached);
-    const Choice next = choose(subject, m_level, {});
+    const Choice next = choose_next(subject);
     const bool is_new = next.configuration != now.configuration || next.safety != now.safety;
     m_choices[subject] = next;
-    m_plans[subject] = plan_of(next);
+    m_plans[subject] = plan_of(subject);
     return is_new;
 }
 
+std::string_view estimator_name(EstimatorKind kind) {
+    constexpr std::string_view kNames[] = {"fitted",       "regular",   "filtered_importance",
+                                           "preconvolved", "split_sum", "reference"};
+    return kNames[static_cast<size_t>(kind)];
+}
+
 std::string in_words(const MaterialPlan& plan) {
-    static const char* const kNames[] = {"fitted", "regular", "filtered_importance", "preconvolved", "split_sum", "reference"};
-    const std::string name = kNames[static_cast<size_t>(plan.estimator.kind)];
+    const std::string name(estimator_name(plan.estimator.kind));
     char text[96];
     if (plan.estimator.kind == EstimatorKind::reference)
         std::snprintf(text, sizeof text, "reference to %.2g %% of each pixel", 100.0 * plan.estimator.tolerance);

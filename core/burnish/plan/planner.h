@@ -12,23 +12,33 @@
 #include <burnish/plan/quality_target.h>
 #include <burnish/plan/truth.h>
 
+#include <deque>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burnish {
+
+/// Places in Material::lobes, ascending; of all that are worth their cost.
+using LobeChoice = std::vector<size_t>;
+LobeChoice all_lobes(const Material& material);
+/// The material with these lobes alone.
+Material with_lobes(const Material& material, const LobeChoice& lobes);
 
 /// A material under its lights in one frame.
 struct PlanSubject {
     const Material* material;
     Truth truth;
     CostCase cost;
-    std::function<MaterialShader(const EstimatorSettings&)> shader;
+    /// Of these lobes of the material.
+    std::function<MaterialShader(const EstimatorSettings&, const LobeChoice&)> shader;
     std::vector<float> safeties;  // to choose from; 0 = dense
 };
 
 struct MaterialPlan {
+    LobeChoice lobes;
     EstimatorSettings estimator;
     float safety = 0;             // of sparse shading; 0 = dense
     double expected_db = 0;       // of the whole, sparse shading included
@@ -62,31 +72,41 @@ private:
         float safety = 0;
         double db = 0, seconds = 0;
     };
-    struct Allowed {
-        bool pyramid = true, stack = true;
+    /// Of the filtered light.
+    struct Forms {
+        bool pyramid = false, stack = false;
     };
 
+    void drop_lobes(size_t subject);
     void probe();
     double highest_level() const;
     std::vector<Choice> choose_all(double level) const;
-    Choice choose(size_t subject, double level, const Allowed& allowed) const;
+    Choice choose(size_t subject, double level, const Forms& allowed) const;
+    Choice choose_next(size_t subject);
     double seconds(size_t subject, const Configuration& configuration, float safety) const;
     double reference_seconds_of(size_t subject, float tolerance) const;
     double total_seconds(const std::vector<Choice>& choices) const;
-    double filter_seconds(bool stack) const;
-    void settle(size_t subject, Choice choice, const Allowed& allowed);
-    MaterialPlan plan_of(const Choice& choice) const;
+    double filter_seconds(const Forms& forms) const;
+    void use(const Choice& choice);
+    void settle(size_t subject);
+    MaterialShader shader_of(size_t subject, const Configuration& configuration) const;
+    MaterialPlan plan_of(size_t subject) const;
 
     std::vector<PlanSubject> m_subjects;
     QualityTarget m_target;
     EstimatorSettings m_settings;
     const MachineCosts& m_machine;
     double m_level = 0;
+    Forms m_forms;  // that some plan reads
+    std::vector<LobeChoice> m_lobes;
+    std::deque<Material> m_materials;  // with these lobes alone
     std::vector<Forecast> m_forecasts;
     std::vector<Choice> m_choices;
     std::vector<MaterialPlan> m_plans;
 };
 
+/// As the command line has it.
+std::string_view estimator_name(EstimatorKind kind);
 /// "fitted, 6 lookups a lobe, sparse at safety 1"
 std::string in_words(const MaterialPlan& plan);
 

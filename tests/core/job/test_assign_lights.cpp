@@ -112,17 +112,6 @@ TEST(AssignLights, ALoneEnvironmentLeavesRulesAsTheyAre) {
     EXPECT_TRUE(rig.is_distant(lit.looks[0].chain) && rig.is_distant(lit.looks[1].chain));
 }
 
-TEST(AssignLights, KnowWhatARuleCanComeUnder) {
-    const auto possible = [](const Rig& rig) {
-        return std::pair(possible_light(rig, 0).distant, possible_light(rig, 0).other);
-    };
-    EXPECT_EQ(possible(rig_of({kSky})), std::pair(true, false));
-    EXPECT_EQ(possible(rig_of({mirror("floor", 0), kSky})), std::pair(true, true));
-    EXPECT_EQ(possible(rig_of({kLamp, kSky})), std::pair(false, true));
-    EXPECT_EQ(possible(rig_of({kLamp, kSky}, {RigChain{1}})), std::pair(true, false));
-    EXPECT_EQ(possible(rig_of({kLamp, kSky}, {RigChain{0}})), std::pair(false, true));
-}
-
 TEST(AssignLights, TheNearestOfManyForAnyNumberOfThreads) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> uniform(-5, 5);
