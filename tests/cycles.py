@@ -39,15 +39,3 @@ def displayed(image, scale):
     """Clamped and sRGB-encoded."""
     x = np.clip(np.asarray(image, np.float64) * scale, 0, 1)
     return np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
-
-
-def flicker(results, references, masks):
-    """RMS of the temporal second difference of (result - reference) as displayed, over pixels in the mask of three frames
-    running."""
-    scale = 0.18 / np.mean(np.concatenate([reference[mask] for reference, mask in zip(references, masks)]))
-    errors = [displayed(result, scale) - displayed(reference, scale) for result, reference in zip(results, references)]
-    squares = []
-    for t in range(1, len(errors) - 1):
-        bend = errors[t - 1] - 2 * errors[t] + errors[t + 1]
-        squares.append(bend[masks[t - 1] & masks[t] & masks[t + 1]] ** 2)
-    return float(np.sqrt(np.mean(np.concatenate(squares))))
