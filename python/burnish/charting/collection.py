@@ -44,13 +44,13 @@ class Size:
 
     sphere: int = 128  # pixels across
     demo: tuple = (320, 180)
-    scenes: tuple = ("studio", "room")  # of the demo
+    scenes: tuple = ("table", "room")  # of the demo
     lights: int = 8  # real environments at the most
     materials: tuple = tuple(MATERIALS)
     cycles: bool = True
 
 
-QUICK = Size(96, (160, 90), ("studio",), 1, QUICK_MATERIALS, False)
+QUICK = Size(96, (160, 90), ("table",), 1, QUICK_MATERIALS, False)
 
 
 def sources(size, scratch, data=None):
@@ -94,7 +94,7 @@ def job_of(name, worn, covered):
 
 def demo_source(scene, size, scratch):
     """A frame of `burnish demo`."""
-    count = {"studio": 11, "room": 14}[scene]
+    count = {"table": 11, "room": 14}[scene]
 
     def load():
         folder = scratch / scene
