@@ -30,7 +30,7 @@ def test_a_program_explains_itself(program):
 
 
 def row(rival, db, seconds, setting=""):
-    return dict(rival=rival, family=rival, db=db, frame_s=seconds, once_s=1.0, process_s=seconds + 2, setting=setting)
+    return dict(rival=rival, family=rival, db=db, frame_s=seconds, once_s=1.0, process_s=seconds + 2, cpu_s=seconds + 2, setting=setting)
 
 
 def test_cycles_at_the_target_lies_on_the_line_through_its_runs():

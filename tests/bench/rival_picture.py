@@ -5,7 +5,7 @@ from burnish.charting.picture import COLOURS, FAINT, INK, SOFT, save as save_pic
 from rival_scene import WHOLE, WITHOUT_LONG
 from rival_table import TARGET_DB, select
 
-RIVALS = {"Cycles": "#222222", "OpenImageIO": "#b8860b", "default": "#0b62a4", **COLOURS}
+RIVALS = {"Cycles": "#222222", "OpenImageIO": "#b8860b", "default": "#00a5b5", **COLOURS}
 SECONDS = {0.001: "1 ms", 0.01: "10 ms", 0.1: "0.1 s", 1: "1 s", 10: "10 s", 100: "100 s"}
 TITLE = "What a user may do instead: time and error of the same picture on the same two cores"
 SUBTITLE = ("Filled: a frame's own time (burnish: surfaces and shading; Cycles: rendering without synchronisation; OpenImageIO: lookups). "
@@ -17,7 +17,7 @@ def draw_panel(panel, rows):
     panel.set_xscale("log")
     panel.axhline(TARGET_DB, color=SOFT, linewidth=1, linestyle="--")
     for family in dict.fromkeys(row["family"] for row in rows):
-        points, colour = sorted(select(rows, family=family), key=lambda row: row["frame_s"]), RIVALS[family]
+        points, colour = select(rows, family=family), RIVALS[family]
         panel.plot([row["frame_s"] for row in points], [row["db"] for row in points], "-o", color=colour, linewidth=2,
                    markersize=7, markeredgecolor="white", label=family.replace("_", " "), zorder=3)
         panel.plot([row["process_s"] for row in points], [row["db"] for row in points], "o", color=colour, markersize=6,

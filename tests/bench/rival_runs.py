@@ -1,12 +1,14 @@
 """The rivals at work: each is run as its user runs it, as a program of its own, and timed.
 
 `frame_s` is what every further frame of a sequence costs, `once_s` what a light and its materials cost once (burnish's tables,
-OpenImageIO's texture) or a scene does (Cycles' synchronisation), `process_s` the whole program by the clock.
+OpenImageIO's texture) or a scene does (Cycles' synchronisation), `process_s` the whole program by the clock, and `cpu_s` its
+processor time, which other work on the machine stretches least.
 """
 
 import dataclasses
 import json
 import re
+import resource
 import subprocess
 import time
 
@@ -39,27 +41,34 @@ class Run:
     frame_s: float
     once_s: float
     process_s: float
+    cpu_s: float
     overlay: np.ndarray  # shape (height, width, 3)
 
 
 def timed(command):
-    """Output and seconds of a program; it has to succeed."""
-    start = time.perf_counter()
+    """Output of a program, its seconds by the clock and of processors; it has to succeed."""
+    start, before = time.perf_counter(), processor_seconds()
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(f"{command[0]} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return done.stdout + done.stderr, time.perf_counter() - start
+    return done.stdout + done.stderr, time.perf_counter() - start, processor_seconds() - before
+
+
+def processor_seconds():
+    """Of all programs that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def run_cycles(scene, blender, script, folder, samples, threads):
     """Cycles with so many samples a pixel, nothing but what the glossy pass needs."""
     tag = f"{scene.name}_{samples}"
-    text, process_s = timed([blender, "-b", "--factory-startup", "-t", threads, "--debug-cycles", "--python", script, "--",
-                             "--scene", "spheres", "--lean", "--out", folder, "--tag", tag, "--hdri", scene.name,
-                             "--env-rot", scene.rotation_deg, "--spp", samples, "--seed", SEED])
+    text, *seconds = timed([blender, "-b", "--factory-startup", "-t", threads, "--debug-cycles", "--python", script, "--",
+                            "--scene", "spheres", "--lean", "--out", folder, "--tag", tag, "--hdri", scene.name,
+                            "--env-rot", scene.rotation_deg, "--spp", samples, "--seed", SEED])
     whole, frame = (float(re.search(rf"{name}: ([\d.e+-]+)", text).group(1))
                     for name in ("Total render time", r"Render time \(without synchronization\)"))
-    return Run("cycles", "Cycles", f"{samples} samples", frame, whole - frame, process_s, glossy(folder / f"{tag}.exr"))
+    return Run("cycles", "Cycles", f"{samples} samples", frame, whole - frame, *seconds, glossy(folder / f"{tag}.exr"))
 
 
 def run_burnish(scene, program, folder, family, lookups, settings, threads, repeats):
@@ -70,10 +79,10 @@ def run_burnish(scene, program, folder, family, lookups, settings, threads, repe
     words = [f"--{name}={value}" for name, value in {**estimator, **settings}.items()]
     times = []
     for _ in range(repeats):
-        _, process_s = timed([program, "composite", shot, "--quiet", *words])
+        _, *seconds = timed([program, "composite", shot, "--quiet", *words])
         said = json.loads(report.read_text())
         once, frame = said["seconds"], said["frames"][0]["seconds"]
-        times.append((frame["surface"] + frame["shading"], once["light"] + once["tables"], process_s))
+        times.append((frame["surface"] + frame["shading"], once["light"] + once["tables"], *seconds))
     overlay = scenes.stacked(scenes.read_exr(output), *(f"burnish_spec.{c}" for c in "RGB"))
     density = settings.get("density") or f"sparse, safety {settings.get('safety', 2)}"
     name = f"default ({density})" if family == "default" else f"{family} {lookups}, {density}"
@@ -81,16 +90,16 @@ def run_burnish(scene, program, folder, family, lookups, settings, threads, repe
 
 
 def blurred(scene, program, folder, radii, threads, repeats):
-    """OpenImageIO's picture for radii by material name, its seconds, and those of the process."""
+    """OpenImageIO's picture for radii by material name, its seconds, and those of the process and its processors."""
     output = folder / "openimageio.exr"
     words = ",".join(f"{of['pass_index']}={radii[name]:.6g}" for name, of in scene.materials.items())
-    text, process_s = timed([program, scene.frame, scene.light, "--rotate", scene.rotation_deg, "--radius", words, "-o", output,
+    text, *seconds = timed([program, scene.frame, scene.light, "--rotate", scene.rotation_deg, "--radius", words, "-o", output,
                              "--threads", threads, "--repeats", repeats])
     tints = np.ones((max(of["pass_index"] for of in scene.materials.values()) + 1, 3), np.float32)
     for of in scene.materials.values():
         tints[of["pass_index"]] = of["color"]
     index = scenes.read_exr(scene.frame)["ViewLayer.IndexMA.X"].astype(int)
-    return scenes.stacked(scenes.read_exr(output), "R", "G", "B") * tints[index], json.loads(text), process_s
+    return scenes.stacked(scenes.read_exr(output), "R", "G", "B") * tints[index], json.loads(text), seconds
 
 
 def run_openimageio(scene, judge, program, folder, threads, repeats):
@@ -102,6 +111,6 @@ def run_openimageio(scene, judge, program, folder, threads, repeats):
         found = judge.db(overlay, judge.reference)
         best = {name: max(best[name], (found[name], radii[name])) for name in best}
     radii = {name: radius for name, (_, radius) in best.items()}
-    overlay, seconds, process_s = blurred(scene, program, folder, radii, threads, repeats)
-    return Run("openimageio", "OpenImageIO", "environment(), blur by roughness", seconds["lookups_s"], seconds["texture_s"],
-               process_s, overlay)
+    overlay, said, seconds = blurred(scene, program, folder, radii, threads, repeats)
+    return Run("openimageio", "OpenImageIO", "environment(), blur by roughness", said["lookups_s"], said["texture_s"], *seconds,
+               overlay)

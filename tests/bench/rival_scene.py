@@ -45,9 +45,9 @@ class Scene:
 
     def shot(self):
         """The scene as a shot file of burnish."""
-        materials, rules = cycles.materials_of(self.described)
-        sky = {"file": str(self.light), "up": "z", "rotate": self.rotation_deg}
-        return {"aovs": str(self.frame), "lights": {"sky": sky}, "materials": materials, "assign": rules}
+        job = cycles.job_of(self.frame.parent, self.frame.stem)
+        sky = {"file": str(self.light), "up": job["up"], "rotate": job["env_rotate"]}
+        return {"aovs": str(self.frame), "lights": {"sky": sky}, "materials": job["materials"], "assign": job["assign"]}
 
 
 def scene_of(name, data, folder):
@@ -77,7 +77,9 @@ class Judge:
         masks = {name: cycles.interior(index, of["pass_index"]) for name, of in scene.materials.items()}
         short = [mask for name, mask in masks.items() if not name.startswith(LONG)]
         self.masks = {WHOLE: np.any(list(masks.values()), 0), WITHOUT_LONG: np.any(short, 0), **masks}
-        layers = burnish.composite(**_arguments(scene), estimator="reference", **ENOUGH)
+        shot = scene.shot()
+        layers = burnish.composite(shot["aovs"], None, shot["materials"], assign=shot["assign"], lights=shot["lights"],
+                                   estimator="reference", **ENOUGH)
         self.reference = {name: truth_of(layers, mask) for name, mask in self.masks.items()}
         self.cycles = {}
         if scene.converged:
@@ -98,10 +100,3 @@ class Judge:
     def agreement_db(self):
         """The two truths against each other, part by part."""
         return {name: float(self.reference[name].psnr_db(truth.radiance)) for name, truth in self.cycles.items()}
-
-
-def _arguments(scene):
-    """The scene as arguments of burnish.composite."""
-    shot = scene.shot()
-    return dict(aovs=scene.frame, light=scene.light, materials=shot["materials"], assign=shot["assign"], up="z",
-                env_rotate=scene.rotation_deg)

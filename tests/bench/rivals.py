@@ -66,7 +66,8 @@ def rows_of(name, options):
         print(f"{name}: {run.setting}: {exact[rival_scene.WHOLE]:.1f} dB, {run.frame_s:.3f} s", file=sys.stderr)
         for part, db in exact.items():
             yield dict(scene=name, rival=run.rival, family=run.family, setting=run.setting, part=part, db=db,
-                       db_to_cycles=cycles.get(part), frame_s=run.frame_s, once_s=run.once_s, process_s=run.process_s)
+                       db_to_cycles=cycles.get(part), frame_s=run.frame_s, once_s=run.once_s, process_s=run.process_s,
+                       cpu_s=run.cpu_s)
 
 
 def main():

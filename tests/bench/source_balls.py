@@ -102,6 +102,7 @@ def look_errors(ball, light, whole_light, look):
     under = np.asarray(material.get("kd", 0.0)) * diffuse(whole_light, ball.frame["normal"][ball.covered])
     overlay = ball.truth(light, material)
     truth, found = Truth(overlay.radiance + under, overlay.noise), {}
+    default = ball.plain(light, material, truth, under)
     for samples in look.samples:
         common = dict(samples=samples // 2 if look.is_thin else samples)
         found[samples] = {
@@ -109,7 +110,7 @@ def look_errors(ball, light, whole_light, look):
             "published": ball.best(light, material, truth, under, estimator="regular", pattern=look.pattern,
                                    quadrature="energy_squared", **common),
             "regular": ball.plain(light, material, truth, under, estimator="regular", density="dense", **common),
-            "default": ball.plain(light, material, truth, under),
+            "default": default,
         }
     return found, truth
 

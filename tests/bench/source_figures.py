@@ -3,7 +3,7 @@
     python3 tests/bench/source_figures.py ../shared/data --picture source_figures.png
 
 Regular 7 to 10 under burnish's stress light (40 spots of 2 to 10 degrees, up to 3000:1, which is what its text describes),
-Walkthrough 4.1, 4.2 and 4.39 to 4.41 under the hall (its other lights in brackets, least to most) and in the room that Cycles
+Walkthrough's figures 4.39 to 4.41 under a hall, a park and a studio (in this order), its tables 4.1 and 4.2 in the room that Cycles
 rendered. Needs burnish, matplotlib, OpenImageIO; BURNISH_BUILD says where the build is (default build/release).
 """
 
@@ -24,7 +24,7 @@ import source_picture  # noqa: E402
 import source_rates  # noqa: E402
 from source_setups import RATES  # noqa: E402
 
-HALL = "st_fagans_interior_1k"
+HDRS = ("st_fagans_interior_1k", "rooitou_park_1k", "studio_small_03_1k")  # a hall, a park with its sun, lamps in the dark
 FACE_SIZE = 512  # texels of the cube map: twice burnish's own choice, as the sources' reference sees the same map as their estimate
 HEADER = ("| source | setup | its figure | importance sampling, as many | `regular` as published | `regular`, as many | default |",
           "|---|---|---|---|---|---|---|")
@@ -57,18 +57,19 @@ def error_lines(ball):
         yield line(lobe.figure, f"{lobe.name}, n = {samples}", lobe.said, *cells)
 
 
-def hdr(file):
+def hdr(folder, name):
     """A light with its suns apart, for lobes, and whole, for the diffuse part."""
+    file = folder / f"{name}.hdr"
     return burnish.Environment(file, env_face_size=FACE_SIZE), burnish.Environment(file, env_suns="keep")
 
 
 def look_lines(ball, folder):
-    """Walkthrough's PSNRs; the hall is the first of the lights."""
-    files = sorted(folder.glob("*_1k.hdr"), key=lambda file: file.stem != HALL)
-    lights, whole = zip(*(hdr(file) for file in files))
+    """Walkthrough's PSNRs, one for each of HDRS."""
+    lights, whole = zip(*(hdr(folder, name) for name in HDRS))
     for look, samples, methods in source_balls.looks(ball, lights, whole):
-        cells = (f"{methods[name][0]:.1f} dB ({min(methods[name]):.0f} to {max(methods[name]):.0f})" for name in source_balls.METHODS)
-        yield line(f"Walkthrough {look.figure}", f"{look.name}, n = {samples}", f"{look.psnr_db[look.samples.index(samples)]:.1f} dB", *cells)
+        cells = (", ".join(f"{db:.1f}" for db in methods[name]) + " dB" for name in source_balls.METHODS)
+        theirs = dict(zip(look.samples, look.psnr_db))[samples]
+        yield line(f"Walkthrough {look.figure}", f"{look.name}, n = {samples}", f"{theirs:.1f} dB", *cells)
 
 
 def rate_lines(data, threads, repeats):
@@ -76,7 +77,7 @@ def rate_lines(data, threads, repeats):
     def shown(rates):
         return ", ".join(f"{one:.0f}" for one in rates)
 
-    hall = burnish.Environment(data / "public" / "env" / f"{HALL}.hdr")
+    hall = burnish.Environment(data / "public" / "env" / f"{HDRS[0]}.hdr")
     found = source_rates.full_hd(hall, threads, repeats)
     for samples in source_rates.CURVE:
         said = "60 frames/s at about 20 samples" if samples == 19 else ""
@@ -100,7 +101,7 @@ def main():
         for text in lines[part]():
             print(text, flush=True)
     if options.picture:
-        figure = source_picture.draw(ball, benchmark.load_light(1), *hdr(environments / f"{HALL}.hdr"))
+        figure = source_picture.draw(ball, benchmark.load_light(1), *hdr(environments, HDRS[0]))
         source_picture.save(figure, options.picture)
 
 

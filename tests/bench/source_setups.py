@@ -1,7 +1,7 @@
 """What the sources show: their materials, counts of samples and figures. Short names as in docs/sources.md.
 
-Regular's figures 8 to 10 are pictures whose RMS was not printed or not handed down; what their text says of them stands in its place. Walkthrough gives
-no numbers for chrome, lacquer, plastic, porcelain and glasses: those here are burnish's presets, and a wide metal for its
+Regular's figures 8 to 10 are pictures without printed RMS; what its text says of them stands in their place. Walkthrough gives no
+numbers for chrome, lacquer, plastic, porcelain and glasses: those here are burnish's presets, and a wide metal for its
 chrome, which it calls very glossy. Its copy at hand was scanned; figures that this program prints were checked against their
 neighbours (PSNR rises with n, frame rates fall).
 """
