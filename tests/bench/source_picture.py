@@ -114,5 +114,5 @@ def draw(ball, stress, hall, whole_hall):
 
 
 def save(figure, path):
-    """Write the PNG."""
-    save_picture(figure, path)
+    """Write the PNG; balls are smooth."""
+    save_picture(figure, path, dithered=True)
