@@ -5,6 +5,7 @@ import cycles
 import numpy as np
 import pytest
 import scenes
+from burnish.stability.measures import flicker
 
 
 @pytest.fixture
@@ -73,7 +74,7 @@ def test_sparse_flickers_little_more_than_dense(move):
     indices = [material_index(job) for job in move]
     for rule in move[0]["assign"]:
         masks = [cycles.interior(index, rule["material_index"]) for index in indices]
-        assert cycles.flicker(sparse, truth, masks) < 1.25 * cycles.flicker(dense, truth, masks), rule["material"]
+        assert flicker(sparse, truth, masks) < 1.25 * flicker(dense, truth, masks), rule["material"]
 
 
 def test_the_default_is_sparse_and_hardly_told_from_dense(spheres):

@@ -11,6 +11,7 @@ void bind_material(pybind11::module_& module);
 void bind_measured(pybind11::module_& module);
 void bind_light(pybind11::module_& module);
 void bind_bandwidth(pybind11::module_& module);
+void bind_frame(pybind11::module_& module);
 void bind_job(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
 void bind_files(pybind11::module_& module);

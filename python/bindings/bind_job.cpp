@@ -60,15 +60,16 @@ py::dict to_python(FrameResult&& result, const FrameReport& report) {
     return layers;
 }
 
-/// A frame from arrays, or from its file where there are none.
-AovFrame frame_from_python(const py::object& arrays, const Job& job, const Wardrobe& wardrobe, const std::string& file,
-                           FramePart part, PythonProgress& progress) {
+/// A frame from arrays, one that was read already, or from its file where there is neither.
+std::shared_ptr<const AovFrame> frame_from_python(const py::object& arrays, const Job& job, const Wardrobe& wardrobe,
+                                                  const std::string& file, FramePart part, PythonProgress& progress) {
+    if (py::isinstance<AovFrame>(arrays)) return arrays.cast<std::shared_ptr<AovFrame>>();
     std::map<Role, Image> layers;
     if (!arrays.is_none()) layers = layers_from_python(arrays);
     const std::string camera = part == FramePart::picture ? "" : job.camera;
     return progress.run([&](const Progress&) {
-        return arrays.is_none() ? read_job_frame(job, wardrobe, file, camera, part)
-                                : frame_from_layers(std::move(layers), camera);
+        return std::make_shared<const AovFrame>(arrays.is_none() ? read_job_frame(job, wardrobe, file, camera, part)
+                                                                 : frame_from_layers(std::move(layers), camera));
     });
 }
 
@@ -98,11 +99,12 @@ py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays
     Wardrobe wardrobe = prepare_wardrobe(job);
     const bool has_fine = !fine_arrays.is_none() || !job.fine_aovs.empty();
     const FramePart part = has_fine ? FramePart::picture : FramePart::whole;
-    const AovFrame frame = frame_from_python(arrays, job, wardrobe, job.aovs, part, python_progress);
-    std::optional<AovFrame> fine;
+    const auto given = frame_from_python(arrays, job, wardrobe, job.aovs, part, python_progress);
+    const AovFrame& frame = *given;
+    std::shared_ptr<const AovFrame> fine;
     if (has_fine) fine = frame_from_python(fine_arrays, job, wardrobe, job.fine_aovs, FramePart::surfaces, python_progress);
     if (fine) check_samples(sample_grid(frame, *fine), frame, *fine);
-    const AovFrame* samples = fine ? &*fine : nullptr;
+    const AovFrame* samples = fine.get();
     const auto environment = light_from_python(job, light, frame.renderer);
     const LightFrame of_light{frame.renderer, (fine ? *fine : frame).camera, {}};
     FrameReport report;

@@ -13,6 +13,7 @@ PYBIND11_MODULE(_core, module) {
     bind_measured(module);
     bind_light(module);
     bind_bandwidth(module);
+    bind_frame(module);
     bind_job(module);
     bind_fit(module);
     bind_files(module);

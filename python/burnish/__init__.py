@@ -14,7 +14,7 @@ from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
+from ._core import Environment, Frame, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._fitting import fit
@@ -42,6 +42,7 @@ __all__ = [
     "ColorSpaceError",
     "Environment",
     "Error",
+    "Frame",
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
@@ -96,7 +97,7 @@ def run(job: dict | _Path, progress: _Progress | None = None, **settings: _Any) 
 
 
 def composite(
-    aovs: dict | _Path,
+    aovs: dict | _Path | Frame,
     light: _Path | _Array | Environment | None,
     materials: str | dict | None = None,
     *,
@@ -110,7 +111,7 @@ def composite(
 
     Parameters
     ----------
-    aovs : str or os.PathLike or dict
+    aovs : str or os.PathLike or dict or Frame
         An EXR, or role name -> ndarray of shape (height, width, channels) or (height, width), float32, linear; see
         `roles`. A beauty of four channels holds alpha in the fourth.
     light : str or os.PathLike or ndarray or Environment
@@ -149,7 +150,7 @@ def composite(
     Cancelled
         `progress` returned False.
     """
-    frame = aovs if isinstance(aovs, dict) else None
+    frame = aovs if isinstance(aovs, (dict, Frame)) else None
     if frame is None:
         settings["aovs"] = aovs
     settings.update(_wardrobe(materials))

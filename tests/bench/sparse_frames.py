@@ -15,6 +15,7 @@ import sys
 
 import burnish
 import numpy as np
+from burnish.stability.measures import CODES, flicker
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import cycles
@@ -76,8 +77,7 @@ def print_flicker(options):
                for rule in jobs[0]["assign"]}
     objects["all"] = [np.logical_or.reduce(masks) for masks in zip(*objects.values())]
     for name, masks in objects.items():
-        of_dense, of_sparse = cycles.flicker(dense, truth, masks), cycles.flicker(sparse, truth, masks)
-        own = cycles.flicker(sparse, dense, masks)
+        of_dense, of_sparse, own = (flicker(*pair, masks) / CODES for pair in ((dense, truth), (sparse, truth), (sparse, dense)))
         print(f"{name},{of_dense:.5f},{of_sparse:.5f},{of_sparse / of_dense:.3f},{own:.5f}", flush=True)
 
 

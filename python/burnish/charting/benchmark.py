@@ -15,6 +15,9 @@ from .. import BadArgument, Environment
 CAMERA = (0.0, 0.0, 6.0)
 """Where the sphere is seen from: y up, the sphere fills the frame."""
 
+GRAZING = np.cos(np.radians(75))
+"""The view cosine below which errors are told apart."""
+
 LOOKUPS = {
     "fitted": (1, 2, 3, 4, 6, 8, 12),
     "regular": (4, 7, 12, 19, 30, 61),

@@ -1,4 +1,4 @@
-"""Error and cost of one estimator setting on one material under one light.
+"""A reference and its own standard error, and how far an estimate is from it.
 
 The reference is itself an estimate: its standard error, which it measures at every pixel, is squared and taken out of
 the mean squares below, so that a figure is the estimator's own error. A figure of 0 lies below the reference's noise.
@@ -7,46 +7,11 @@ the mean squares below, so that a figure is the estimator's own error. A figure 
 from __future__ import annotations
 
 import dataclasses
-import time
 
 import numpy as np
 
-from .. import composite
-from . import benchmark
-
 MIDDLE_GREY = 0.18
-GRAZING = np.cos(np.radians(75))
-MOST_LOOKUPS = 32768  # of the reference, per pixel
-
-
-@dataclasses.dataclass(frozen=True)
-class Effort:
-    """How carefully to measure."""
-
-    size: int = 64  # pixels along the sphere's diameter that have a reference
-    step: int = 4  # the estimators shade, and are timed on, so many times as many along each edge
-    tolerance: float = 0.01  # of the reference: standard error at each pixel, relative to its value
-    seconds: float = 0.15  # runs of each setting are repeated for so long; the fastest counts
-    threads: int = 0  # of the reference, 0: all cores; estimators run on one thread
-
-
-@dataclasses.dataclass(frozen=True)
-class Row:
-    """One line of the CSV; the fields are its columns."""
-
-    light: str
-    material: str
-    kind: str
-    estimator: str
-    samples: int  # lookups asked for
-    lookups: float  # lookups made, per pixel
-    relative_rms: float
-    relative_rms_beyond_75_deg: float
-    psnr_db: float  # both pictures scaled to a mean of 0.18, clamped, sRGB-encoded
-    reference_relative_rms: float  # the reference's standard error, already taken out of the figures
-    reference_lookups: float  # per pixel
-    shading_ns_per_pixel: float  # of one thread
-    tables_s: float  # once for each light and material, one thread
+LUMINANCE = (0.2126, 0.7152, 0.0722)
 
 
 def encode(linear):
@@ -73,13 +38,25 @@ class Truth:
         error = mean_square((overlay - self.radiance)[where]) - mean_square(self.noise[where])
         return np.sqrt(max(error, 0) / mean_square(self.radiance[where]))
 
+    def exposure(self):
+        """What brings the reference's mean to middle grey."""
+        return MIDDLE_GREY / self.radiance.mean()
+
     def psnr_db(self, overlay):
         """Display PSNR in dB; infinite below the reference's noise."""
-        exposure = MIDDLE_GREY / self.radiance.mean()
-        shown = self.radiance * exposure
-        noise = self.noise * exposure * encoding_slope(shown)
-        error = mean_square(encode(overlay * exposure) - encode(shown)) - mean_square(noise)
+        exposure = self.exposure()
+        error = mean_square(encode(overlay * exposure) - encode(self.radiance * exposure)) - self.noise_on_display()
         return -10 * np.log10(error) if error > 0 else np.inf
+
+    def noise_on_display(self):
+        """Mean square of the reference's standard error, display-encoded."""
+        exposure = self.exposure()
+        return mean_square(self.noise * exposure * encoding_slope(self.radiance * exposure))
+
+    def ceiling_db(self):
+        """The display PSNR from which on an error is lost in what is not known of the noise: three deviations of its mean square."""
+        lost = self.noise_on_display() * 3 * np.sqrt(2 / len(self.radiance))
+        return -10 * np.log10(lost) if lost > 0 else np.inf
 
     def noise_rms(self):
         """The reference's standard error, as `relative_rms`."""
@@ -91,52 +68,26 @@ def mean_square(values):
     return np.mean(np.square(values))
 
 
-def shade(frame, light, material, threads, **settings):
-    """The layers of one estimate."""
-    return composite(frame, light, material.lobe(), camera=benchmark.CAMERA, threads=threads, density="dense", **settings)
-
-
-def truth_of(layers, covered):
-    """The Truth that the layers of the estimator `reference` hold where `covered`."""
-    radiance = layers["overlay"][covered].astype(np.float64)
-    luminance = np.maximum(radiance @ (0.2126, 0.7152, 0.0722), 1e-30)
-    relative = layers["error"][covered] / luminance  # a pixel's noise has the pixel's hue
+def truth_of(layers, where):
+    """The Truth that the layers of the estimator `reference` hold at the pixels of `where`, a mask or flat indices."""
+    pixels = np.flatnonzero(where) if where.dtype == bool else where
+    radiance = layers["overlay"].reshape(-1, 3)[pixels].astype(np.float64)
+    luminance = np.maximum(radiance @ LUMINANCE, 1e-30)
+    relative = layers["error"].ravel()[pixels] / luminance  # a pixel's noise has the pixel's hue
     return Truth(radiance, radiance * relative[:, None])
 
 
-class Bench:
-    """Measures materials under lights on one sphere; the reference sees every few pixels of it."""
+def jittered(mask, count, seed=1):
+    """Flat indices of about `count` pixels of a mask: one drawn in each of equal blocks of the frame, so that no raster is favoured.
 
-    def __init__(self, effort):
-        self.effort = effort
-        self.sphere = benchmark.sphere(effort.size * effort.step)
-        self.every = (slice(effort.step // 2, None, effort.step),) * 2
-        self.sparse_sphere = {role: array[self.every] for role, array in self.sphere.items()}
-        cosines = benchmark.view_cosines(self.sparse_sphere)
-        self.covered = cosines > 0
-        self.grazing = cosines[self.covered] < GRAZING
-
-    def rows(self, light_name, light, material):
-        """The rows of all estimators, one after the other."""
-        reference = shade(self.sparse_sphere, light, material, self.effort.threads, estimator="reference",
-                          tolerance=self.effort.tolerance, max_samples=MOST_LOOKUPS)
-        truth, spent = truth_of(reference, self.covered), float(reference["samples"][self.covered].mean())
-        for estimator in benchmark.LOOKUPS:  # makes the light's filtered levels, which are no lobe's tables
-            shade(self.sparse_sphere, light, material, self.effort.threads, estimator=estimator, samples=1)
-        for estimator, counts in benchmark.LOOKUPS.items():
-            for samples in counts:
-                overlay, lookups, shading, tables = self.run(light, material, estimator, samples)
-                overlay = overlay[self.every][self.covered]
-                errors = truth.relative_rms(overlay), truth.relative_rms(overlay, self.grazing), truth.psnr_db(overlay)
-                yield Row(light_name, material.name, material.kind, estimator, samples, lookups, *errors,
-                          truth.noise_rms(), spent, 1e9 * shading, tables)
-
-    def run(self, light, material, estimator, samples):
-        """Overlay, lookups per pixel, seconds of shading per covered pixel and of tables, each of the fastest run."""
-        shading, tables, end = [], [], time.perf_counter() + self.effort.seconds
-        while not shading or time.perf_counter() < end:
-            layers = shade(self.sphere, light, material, 1, estimator=estimator, samples=samples)
-            seconds, pixels = layers["report"]["seconds"], layers["report"]["pixels"]["valid"]
-            shading.append(seconds["shading"] / pixels)
-            tables.append(seconds["tables"])
-        return layers["overlay"], float(layers["samples"].max()), min(shading), min(tables)
+    Returns also the blocks' edge in pixels; a small mask gives all of its pixels, with blocks of 1.
+    """
+    edge = max(1, int(np.sqrt(mask.sum() / count)))
+    height, width = mask.shape
+    rows, columns = -(-height // edge), -(-width // edge)
+    offset = np.random.default_rng(seed).integers(0, edge, (2, rows, columns))
+    y = np.arange(rows)[:, None] * edge + offset[0]
+    x = np.arange(columns)[None] * edge + offset[1]
+    inside = (y < height) & (x < width)
+    pixels = (y * width + x)[inside]
+    return pixels[mask.ravel()[pixels]], edge

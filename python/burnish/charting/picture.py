@@ -52,15 +52,16 @@ def draw(rows):
     return figure
 
 
-def save(figure, path):
-    """Write a PNG of 256 colours, a third of the size of one with all of them."""
+def save(figure, path, dithered=False):
+    """Write a PNG of 256 colours, a third of the size of one with all of them; `dithered` where shades are smooth."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     picture = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
-    picture.quantize(256, dither=Image.Dither.NONE).save(path, format="PNG", optimize=True)
+    dither = Image.Dither.FLOYDSTEINBERG if dithered else Image.Dither.NONE
+    picture.quantize(256, dither=dither).save(path, format="PNG", optimize=True)
 
 
 def heading(kind, rows):

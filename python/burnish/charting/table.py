@@ -1,4 +1,4 @@
-"""The measured rows as CSV, and as the few lines that say what a good picture costs."""
+"""The estimators' rows as CSV, and as the few lines that say what a good picture costs."""
 
 from __future__ import annotations
 
@@ -6,15 +6,38 @@ import csv
 import dataclasses
 import statistics
 
-from .measure import Row
-
 TARGET_DB = 40
 
 
+@dataclasses.dataclass(frozen=True)
+class EstimatorRow:
+    """One line of estimators.csv; the fields are its columns."""
+
+    light: str
+    material: str
+    kind: str  # the row of the picture it belongs to
+    estimator: str
+    samples: int  # lookups asked for
+    lookups: float  # lookups made, per pixel
+    relative_rms: float
+    relative_rms_beyond_75_deg: float
+    psnr_db: float  # both pictures scaled to a mean of 0.18, clamped, sRGB-encoded
+    reference_relative_rms: float  # the reference's standard error, already taken out of the figures
+    reference_lookups: float  # per pixel
+    shading_ns_per_pixel: float  # of one thread
+    tables_s: float  # once for each light and material, one thread
+
+
+def estimator_row(row, kind):
+    """Of a Row (bench.py)."""
+    same = {field.name: getattr(row, field.name) for field in dataclasses.fields(EstimatorRow) if hasattr(row, field.name)}
+    return EstimatorRow(**same, kind=kind, shading_ns_per_pixel=1e9 * row.shading_s / max(row.pixels, 1))
+
+
 def write_csv(rows, file):
-    """One line a row, floats with six digits."""
+    """One line a row, a column for each field, floats with six digits."""
     writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(field.name for field in dataclasses.fields(Row))
+    writer.writerow(field.name for field in dataclasses.fields(rows[0]))
     for row in rows:
         writer.writerow(f"{value:.6g}" if isinstance(value, float) else value for value in dataclasses.astuple(row))
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
+import pkgutil
 from collections.abc import Callable
 
 import numpy as np
 
 CASES = {}
-"""Name -> Case, filled as the modules of cases are imported."""
+"""Name -> Case, filled as the modules of cases are imported; `every_case` imports all of them."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,3 +53,11 @@ def case(name, asks, unit, why, at_least=None, at_most=None):
         return measure
 
     return register
+
+
+def every_case():
+    """Name -> Case of all modules beside this one, by name."""
+    package = importlib.import_module(__package__)
+    for module in pkgutil.iter_modules(package.__path__):
+        importlib.import_module(f"{__package__}.{module.name}")
+    return dict(sorted(CASES.items()))
