@@ -15,6 +15,7 @@ from .charting import benchmark, collection, estimators, files, shots, speed, st
 from .charting.progress import Progress
 from .charting.store import Store
 from .errors import BadArgument, Error, ReadFailed
+from .stability.case import every_case
 
 DESCRIPTION = f"""Charts speed against accuracy. For every material of a shot: every estimator with several counts of lookups,
 sparse shading and other light for what is worth it, its time stage by stage and its error (display PSNR in dB, relative RMS,
@@ -161,8 +162,8 @@ def run_estimators(options):
 
 def run_stability(options):
     """Cases of the suite."""
-    cases = chosen("--cases", stability.all_cases(), options.cases)
-    failing = stability.run(options.output, cases, lambda all_cases: announced(all_cases, options.quiet))
+    cases = chosen("--cases", every_case(), options.cases)
+    failing = stability.run(options.output, cases, lambda each: announced(each, options.quiet))
     print(f"{len(cases) - len(failing)} of {len(cases)} cases hold" + (f"; these do not: {', '.join(failing)}" if failing else ""))
     return FAILED if failing else 0
 

@@ -2,21 +2,11 @@
 
 from __future__ import annotations
 
-import importlib
 import json
-import pkgutil
 
-from .. import __version__, stability
-from ..stability.case import CASES
+from .. import __version__
 from .files import both_or_none
 from .page import Page
-
-
-def all_cases():
-    """Name -> Case, after importing every module of the suite."""
-    for module in pkgutil.iter_modules(stability.__path__):
-        importlib.import_module(f"{stability.__name__}.{module.name}")
-    return dict(CASES)
 
 
 def run(folder, cases, announced):
