@@ -26,6 +26,11 @@ std::string status_name(FrameStatus status) {
     return "";
 }
 
+json step_to_json(const StepReport& step) {
+    return {{"step", step.step},       {"label", step.label},     {"is_final", step.is_final},
+            {"lookups", step.lookups}, {"seconds", step.seconds}, {"since_start", step.since_start}};
+}
+
 }  // namespace
 
 size_t Report::count(FrameStatus status) const {
@@ -46,6 +51,7 @@ json report_to_json(const FrameReport& frame) {
                    {"warnings", frame.warnings}};
     if (frame.frame) result["frame"] = *frame.frame;
     if (!frame.error.empty()) result["error"] = frame.error;
+    for (const StepReport& step : frame.steps) result["steps"].push_back(step_to_json(step));
     result["pixels"] = object(frame.pixels);
     result["materials"] = object(frame.materials);
     result["seconds"] = object(frame.seconds);

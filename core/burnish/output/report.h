@@ -16,6 +16,15 @@ enum class FrameStatus { done, skipped, failed };
 template <class T>
 using NamedValues = std::vector<std::pair<std::string, T>>;
 
+/// One picture of a frame that was refined step by step.
+struct StepReport {
+    int step = 0;
+    std::string label;
+    bool is_final = false;
+    double lookups = 0;                   // in the light, of this picture
+    double seconds = 0, since_start = 0;  // wall time of the step, and until its picture was there
+};
+
 struct FrameReport {
     std::optional<int> frame;  // number, where the job has a frame pattern
     FrameStatus status = FrameStatus::done;
@@ -28,6 +37,7 @@ struct FrameReport {
     NamedValues<size_t> materials;   // shaded pixels of each rule
     double lookups = 0;              // in the light, all pixels
     NamedValues<double> seconds;     // wall time by stage
+    std::vector<StepReport> steps;   // progressive runs only; the other numbers are of the last step
     std::vector<std::string> notes, warnings;
 };
 
