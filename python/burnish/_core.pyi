@@ -70,6 +70,19 @@ def composite(
     settings: dict[str, Any],
     progress: Progress | None,
 ) -> dict[str, Any]: ...
+
+class Refinement:
+    def __init__(
+        self,
+        frame: dict[str, ArrayLike] | None,
+        fine: dict[str, ArrayLike] | None,
+        light: Any,
+        masks: dict[str, ArrayLike] | None,
+        settings: dict[str, Any],
+        progress: Progress | None,
+    ) -> None: ...
+    def next(self) -> dict[str, Any] | None: ...
+
 def settings() -> list[dict[str, Any]]: ...
 def roles() -> dict[str, Any]: ...
 def models() -> dict[str, Any]: ...
