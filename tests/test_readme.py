@@ -9,7 +9,7 @@ from conftest import SOURCE
 README = (SOURCE / "README.md").read_text()
 
 
-@pytest.mark.parametrize("language, example", [("sh", "quickstart.sh"), ("sh", "antialias.sh"), ("sh", "room.sh"), ("sh", "measured.sh"), ("sh", "target.sh"), ("json", "lights.json"), ("python", "quickstart.py"), ("cpp", "quickstart.cpp")])
+@pytest.mark.parametrize("language, example", [("sh", "quickstart.sh"), ("sh", "antialias.sh"), ("sh", "room.sh"), ("sh", "measured.sh"), ("sh", "target.sh"), ("sh", "progressive.sh"), ("python", "progressive.py"), ("json", "lights.json"), ("python", "quickstart.py"), ("cpp", "quickstart.cpp")])
 def test_code_is_what_the_examples_run(language, example):
     blocks = re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
     assert any(block in (SOURCE / "examples" / example).read_text() for block in blocks)

@@ -65,8 +65,10 @@
 #include <burnish/job/job.h>
 #include <burnish/job/look.h>
 #include <burnish/job/read_frame.h>
+#include <burnish/job/refinement.h>
 #include <burnish/job/run.h>
 #include <burnish/job/run_bandwidth.h>
 #include <burnish/job/run_frame.h>
+#include <burnish/job/run_progressive.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>

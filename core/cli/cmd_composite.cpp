@@ -5,6 +5,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/job/run.h>
+#include <burnish/job/run_progressive.h>
 #include <burnish/job/shot_file.h>
 
 #include <cstdio>
@@ -14,7 +15,7 @@ namespace burnish::cli {
 namespace {
 
 struct Options : JobOptions {
-    bool verbose = false;
+    bool verbose = false, progressive = false;
 };
 
 void print_lines(const char* label, const std::vector<std::string>& lines) {
@@ -39,8 +40,23 @@ void print_schema() {
     throw CLI::Success();
 }
 
+/// One line a step; Ctrl-C is how looking ends: the last whole picture stays, and scripts are told.
+int refine(const Job& job, const Options& options) {
+    const auto tell = [&](const StepReport& step) {
+        if (options.quiet || options.as_json) return;
+        std::printf("step %d: %s, %.2f s, %.2f s since start%s\n", step.step, step.label.c_str(), step.seconds,
+                    step.since_start, step.is_final ? ", final" : "");
+        std::fflush(stdout);
+    };
+    ProgressDisplay display(options.quiet || options.progress == "auto" ? "none" : options.progress);
+    const Report report = run_progressive(job, display.progress(), tell);
+    print(report, options);
+    return caught_signal() == 0 ? exit_code(report) : kSignalBase + caught_signal();
+}
+
 int composite(const Options& options) {
     const Job job = make_job(options);
+    if (options.progressive) return refine(job, options);
     Report report;
     {
         ProgressDisplay display(options.quiet ? "none" : options.progress);
@@ -57,6 +73,8 @@ Run add_composite(CLI::App& app) {
     auto options = std::make_shared<Options>();
     add_job_options(*command, *options);
     command->add_flag("-v,--verbose", options->verbose, "also print what was found and why");
+    command->add_flag("--progressive", options->progressive,
+                      "one frame: write a first picture at once, then better ones until the reference; Ctrl-C ends it");
     command->add_flag_callback("--schema", print_schema, "print the JSON schema of shot files and end");
     command->footer(
         "Lights near the objects (cubemap, mirror, area, traced) have names; rules choose them by these, or pixels by their "

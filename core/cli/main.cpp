@@ -14,7 +14,7 @@ namespace {
 
 using namespace burnish;
 
-constexpr int kFailure = 1, kUsage = 2, kSignalBase = 128;
+constexpr int kFailure = 1, kUsage = 2;
 constexpr const char* kFooter =
     "burnish chart and burnish fit-plots, written in Python, draw pictures: see burnish chart --help.\n"
     "Any other word runs burnish-<word>, found beside burnish or on the PATH.\n"
@@ -35,7 +35,7 @@ int run_guarded(const cli::Run& command) {
     } catch (const Error& error) {
         const bool stopped = error.code() == ErrorCode::cancelled && cli::caught_signal() != 0;
         return fail(error_name(error.code()), error.what(),
-                    stopped ? kSignalBase + cli::caught_signal() : exit_code(error.code()));
+                    stopped ? cli::kSignalBase + cli::caught_signal() : exit_code(error.code()));
     } catch (const std::bad_alloc&) {
         return fail("E_OUT_OF_MEMORY", "not enough memory for this frame", kFailure);
     } catch (const std::exception& error) {

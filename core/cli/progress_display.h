@@ -34,5 +34,7 @@ private:
 void catch_signals();
 /// The signal that arrived, or 0.
 int caught_signal();
+/// Plus the signal: exit code of a run that one stopped.
+inline constexpr int kSignalBase = 128;
 
 }  // namespace burnish::cli

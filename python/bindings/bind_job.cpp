@@ -1,23 +1,19 @@
-// Whole jobs: with files as the command line runs them, and one frame in memory.
-#include "arrays.h"
+// Whole jobs: with files as the command line runs them, and one frame in memory, at once or step by step.
 #include "bind.h"
+#include "frame_job.h"
 #include "json_objects.h"
-#include "light.h"
-#include "python_progress.h"
 
 #include <burnish/base/parallel.h>
-#include <burnish/composite/sample_grid.h>
-#include <burnish/job/build_lights.h>
-#include <burnish/job/color_flow.h>
-#include <burnish/job/read_frame.h>
+#include <burnish/job/refinement.h>
 #include <burnish/job/run.h>
-#include <burnish/job/run_frame.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
 #include <burnish/job/stages.h>
 
 namespace burnish::python {
 namespace {
+
+namespace py = pybind11;
 
 py::object run_job(const py::object& source, const py::dict& settings, const py::object& callback) {
     const nlohmann::json document = to_json(source);
@@ -27,103 +23,52 @@ py::object run_job(const py::object& source, const py::dict& settings, const py:
     return from_json(report_to_json(report));
 }
 
-std::map<Role, Image> layers_from_python(const py::dict& arrays) {
-    std::map<Role, Image> layers;
-    for (const auto& [key, array] : arrays) {
-        const std::string name = py::str(key);
-        layers[role_by_name(name)] = to_image(array, name);
-    }
-    return layers;
-}
-
-/// The rules are the masks: one per material, in the order of the dict.
-Assignment masks_from_python(Job& job, const py::dict& arrays) {
-    std::vector<Image> masks;
-    job.material.clear(), job.assign.clear();
-    for (const auto& [key, array] : arrays) {
-        const std::string name = py::str(key);
-        job.assign.push_back({name, {}, {}, {}});
-        masks.push_back(to_image(array, "assign: " + name));
-    }
-    if (masks.empty()) throw Error(ErrorCode::bad_argument, "assign: expected at least one mask, found none");
-    return assign_masks(masks);
-}
-
-py::dict to_python(FrameResult&& result, const FrameReport& report) {
-    py::dict layers;
-    const auto add = [&](const char* name, Image& image) {
-        if (!image.empty()) layers[name] = to_array(std::move(image));
-    };
-    add("beauty", result.composite.beauty), add("overlay", result.composite.overlay), add("diffuse", result.composite.diffuse);
-    add("validity", result.validity), add("samples", result.shaded.samples), add("error", result.shaded.standard_error);
-    layers["report"] = from_json(report_to_json(report));
-    return layers;
-}
-
-/// A frame from arrays, one that was read already, or from its file where there is neither.
-std::shared_ptr<const AovFrame> frame_from_python(const py::object& arrays, const Job& job, const Wardrobe& wardrobe,
-                                                  const std::string& file, FramePart part, PythonProgress& progress) {
-    if (py::isinstance<AovFrame>(arrays)) return arrays.cast<std::shared_ptr<AovFrame>>();
-    std::map<Role, Image> layers;
-    if (!arrays.is_none()) layers = layers_from_python(arrays);
-    const std::string camera = part == FramePart::picture ? "" : job.camera;
-    return progress.run([&](const Progress&) {
-        return std::make_shared<const AovFrame>(arrays.is_none() ? read_job_frame(job, wardrobe, file, camera, part)
-                                                                 : frame_from_layers(std::move(layers), camera));
-    });
-}
-
-constexpr float kLightShare = 0.3f;  // of progress, for lights near the objects
-
-Look look_of(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environment> environment, const LightFrame& of_light,
-             const Progress& progress, NamedValues<double>& seconds) {
-    const ColorFlow color(job);
-    Rig rig = timed(seconds, "light", [&] {
-        Rig loaded =
-            build_rig(job, wardrobe.rules, color, std::move(environment), of_light, part_of(progress, 0.0f, kLightShare));
-        load_frame_lights(loaded, color, of_light);
-        return loaded;
-    });
-    return prepare_look(job, std::move(wardrobe), std::move(rig));
-}
-
 py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays, const py::object& light,
                          const py::object& masks, const py::dict& settings, const py::object& callback) {
-    Job job;
-    set_settings(job, to_json(settings), "composite");
-    job.output.diagnostics = true;
-    std::optional<Assignment> assignment;
-    if (!masks.is_none()) assignment = masks_from_python(job, masks);
     PythonProgress python_progress(callback);
-    const ThreadLimit limit(job.threads);
-    Wardrobe wardrobe = prepare_wardrobe(job);
-    const bool has_fine = !fine_arrays.is_none() || !job.fine_aovs.empty();
-    const FramePart part = has_fine ? FramePart::picture : FramePart::whole;
-    const auto given = frame_from_python(arrays, job, wardrobe, job.aovs, part, python_progress);
-    const AovFrame& frame = *given;
-    std::shared_ptr<const AovFrame> fine;
-    if (has_fine) fine = frame_from_python(fine_arrays, job, wardrobe, job.fine_aovs, FramePart::surfaces, python_progress);
-    if (fine) check_samples(sample_grid(frame, *fine), frame, *fine);
-    const AovFrame* samples = fine.get();
-    const auto environment = light_from_python(job, light, frame.renderer);
-    const LightFrame of_light{frame.renderer, (fine ? *fine : frame).camera, {}};
-    FrameReport report;
+    FrameJob given(arrays, fine_arrays, light, masks, settings, python_progress);
+    const ThreadLimit limit(given.job.threads);
+    NamedValues<double> seconds;
+    Look look;
     FrameResult result = python_progress.run([&](const Progress& progress) {
-        NamedValues<double> seconds;
-        const Look look = look_of(job, std::move(wardrobe), environment, of_light, progress, seconds);
-        const float begin = job.lights.empty() ? 0.0f : kLightShare;
-        FrameResult done =
-            run_frame(job, frame, samples, look, assignment ? &*assignment : nullptr, part_of(progress, begin, 1.0f));
-        ColorFlow(job).to_output(done.composite);
-        report = frame_report(job, frame, samples, look, done.tally);
-        report.seconds.insert(report.seconds.begin(), seconds.begin(), seconds.end());
-        const auto add = [&](const auto& lines) { report.warnings.insert(report.warnings.end(), lines.begin(), lines.end()); };
-        add(look.wardrobe.warnings), add(look.rig.warnings);
-        report.notes.insert(report.notes.end(), look.rig.notes.begin(), look.rig.notes.end());
-        return done;
+        Rig rig = timed(seconds, "light", [&] { return given.load_rig(progress); });
+        look = prepare_look(given.job, given.wardrobe, std::move(rig));
+        return run_frame(given.job, given.picture(), given.samples(), look, given.masked(),
+                         part_of(progress, given.light_share(), 1.0f));
     });
-    return to_python(std::move(result), report);
+    return given.to_python(std::move(result), look, seconds);
 }
+
+/// What `burnish.refine` steps through.
+class FrameRefinement {
+public:
+    FrameRefinement(const py::object& arrays, const py::object& fine_arrays, const py::object& light, const py::object& masks,
+                    const py::dict& settings, const py::object& callback)
+        : m_progress(callback), m_given(arrays, fine_arrays, light, masks, settings, m_progress) {
+        const ThreadLimit limit(m_given.job.threads);
+        m_progress.run([&](const Progress& progress) {
+            Rig rig = timed(m_seconds, "light", [&] { return m_given.load_rig(progress); });
+            m_refinement.emplace(m_given.job, m_given.picture(), m_given.samples(), m_given.wardrobe, std::move(rig),
+                                 m_given.masked());
+        });
+    }
+
+    /// The next step's layers; None after the last.
+    py::object next() {
+        if (m_refinement->is_done()) return py::none();
+        const ThreadLimit limit(m_given.job.threads);
+        RefinedFrame refined = m_progress.run([&](const Progress& progress) { return m_refinement->next(progress); });
+        py::dict layers = m_given.to_python(std::move(refined.result), m_refinement->look(), std::exchange(m_seconds, {}));
+        layers["step"] = refined.step, layers["label"] = refined.label, layers["is_final"] = refined.is_final;
+        return std::move(layers);
+    }
+
+private:
+    PythonProgress m_progress;
+    FrameJob m_given;
+    NamedValues<double> m_seconds;  // of what came before the first step
+    std::optional<Refinement> m_refinement;
+};
 
 }  // namespace
 
@@ -131,6 +76,11 @@ void bind_job(py::module_& module) {
     module.def("run", &run_job, py::arg("job"), py::arg("settings"), py::arg("progress"));
     module.def("composite", &composite_frame, py::arg("frame"), py::arg("fine"), py::arg("light"), py::arg("masks"),
                py::arg("settings"), py::arg("progress"));
+    py::class_<FrameRefinement>(module, "Refinement", "The steps of burnish.refine.")
+        .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&, const py::dict&,
+                      const py::object&>(),
+             py::arg("frame"), py::arg("fine"), py::arg("light"), py::arg("masks"), py::arg("settings"), py::arg("progress"))
+        .def("next", &FrameRefinement::next, "Layers of the next step, or None after the last.");
 }
 
 }  // namespace burnish::python

@@ -10,13 +10,13 @@ away from the surface; of a lobe they are local, z along the normal.
 
 from __future__ import annotations
 
-from collections.abc import Sequence as _Sequence
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
 from ._core import Environment, Frame, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
+from ._compositing import composite, refine
 from ._fitting import fit
 from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
@@ -62,6 +62,7 @@ __all__ = [
     "presets",
     "preview",
     "read_measured",
+    "refine",
     "roles",
     "run",
     "settings",
@@ -94,89 +95,6 @@ def run(job: dict | _Path, progress: _Progress | None = None, **settings: _Any) 
         `progress` returned False.
     """
     return _core.run(job, settings, progress)
-
-
-def composite(
-    aovs: dict | _Path | Frame,
-    light: _Path | _Array | Environment | None,
-    materials: str | dict | None = None,
-    *,
-    fine_aovs: dict | _Path | None = None,
-    assign: list | dict | None = None,
-    camera: dict | _Path | _Sequence[float] | None = None,
-    progress: _Progress | None = None,
-    **settings: _Any,
-) -> dict[str, _Any]:
-    """Shade one frame in memory and composite the overlay over it.
-
-    Parameters
-    ----------
-    aovs : str or os.PathLike or dict or Frame
-        An EXR, or role name -> ndarray of shape (height, width, channels) or (height, width), float32, linear; see
-        `roles`. A beauty of four channels holds alpha in the fourth.
-    light : str or os.PathLike or ndarray or Environment
-        Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already. None: that of the
-        settings `env` or `lights`, if there is one.
-    materials : str or dict, optional
-        What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
-    fine_aovs : str or os.PathLike or dict, optional
-        For anti-aliasing: the surfaces of the same frame (positions, normals, ids, ...) at a multiple of its width and
-        height, as `aovs`; `aovs` is then read for the picture alone, and masks in `assign` have the size of these.
-    assign : list or dict, optional
-        Rules as in the shot file, or material name -> mask of shape (height, width) with coverage in [0, 1]; later ones
-        win. Without it the whole frame wears the one material.
-    camera : dict or str or os.PathLike or sequence of 3 floats, optional
-        Camera JSON, its file, or the point the frame is seen from; by default as found in the frame.
-    progress : callable, optional
-        ``progress(stage, done)``, done in [0, 1]; returning False cancels.
-    **settings
-        Settings by name.
-
-    Returns
-    -------
-    dict
-        "beauty" : ndarray, shape (height, width, 4), float32, linear, associated alpha;
-        "overlay" : ndarray, shape (height, width, 3), float32, what was added;
-        "diffuse" : ndarray, shape (height, width, 3), only where the frame has no beauty;
-        "validity" : ndarray, shape (height, width), 0 where shaded, else why not (the order of the report's "pixels");
-        "samples" : ndarray, shape (height, width), lookups spent;
-        "error" : ndarray, shape (height, width), standard error, estimator "reference" only;
-        "report" : dict.
-
-    Raises
-    ------
-    BadArgument, MissingChannel, SizeMismatch, ReadFailed, ColorSpaceError
-        What went wrong.
-    Cancelled
-        `progress` returned False.
-    """
-    frame = aovs if isinstance(aovs, (dict, Frame)) else None
-    if frame is None:
-        settings["aovs"] = aovs
-    settings.update(_wardrobe(materials))
-    fine = fine_aovs if isinstance(fine_aovs, dict) else None
-    if fine is None and fine_aovs is not None:
-        settings["fine_aovs"] = fine_aovs
-    masks = assign if isinstance(assign, dict) else None
-    if masks is None and assign is not None:
-        settings["assign"] = assign
-    if camera is not None:
-        settings["camera"] = camera if isinstance(camera, (str, dict, _PathLike)) else {"position": camera}
-    return _core.composite(frame, fine, light, masks, settings, progress)
-
-
-def _wardrobe(materials):
-    """The settings that say what `composite`'s `materials` mean."""
-    if materials is None:
-        return {}
-    if not isinstance(materials, dict):
-        return {"material": materials}
-    if "lobes" in materials or "model" in materials:
-        return {"materials": {"material": materials}, "material": "material"}
-    wardrobe = {"materials": materials}
-    if len(materials) == 1:
-        wardrobe["material"] = next(iter(materials))
-    return wardrobe
 
 
 def check_energy(material: str | dict) -> dict[str, float]:
@@ -292,4 +210,4 @@ def compare(a: _Array, b: _Array, mask: _Array | None = None) -> dict[str, _Any]
     return _core.compare(a, b, mask)
 
 
-_documentation.add_settings(run, composite)
+_documentation.add_settings(run, composite, refine)

@@ -13,9 +13,9 @@ constexpr float kEveryPixel = 100;                       // safety that leaves n
 
 CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
     CostCase of;
-    of.pixels = frame.surfaces.rule_counts()[index];
-    of.frame_pixels = frame.assignment.rule.size();
-    of.is_near = !look.rig.is_distant(frame.looks[index].chain);
+    of.pixels = frame.surfaces().rule_counts()[index];
+    of.frame_pixels = frame.assignment().rule.size();
+    of.is_near = !look.rig.is_distant(frame.looks()[index].chain);
     if (const Environment* environment = look.rig.environment())
         of.face_texels = 6 * static_cast<size_t>(environment->face_size()) * static_cast<size_t>(environment->face_size());
     of.frames = look.frames;
@@ -26,12 +26,12 @@ CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
 size_t pixels_to_check(const Look& look, const LitFrame& frame, const QualityTarget& target) {
     constexpr double kShare = 0.1, kLookupsAPixel = 1500, kUsualTolerance = 0.037;
     double seconds = 0;
-    for (size_t i = 0; i < frame.looks.size(); ++i)
-        seconds += predicted_seconds(machine_costs(), look.wardrobe.materials[frame.looks[i].rule], {EstimatorKind::fitted, 6},
-                                     0, cost_case(look, frame, i));
+    for (size_t i = 0; i < frame.looks().size(); ++i)
+        seconds += predicted_seconds(machine_costs(), look.wardrobe.materials[frame.looks()[i].rule],
+                                     {EstimatorKind::fitted, 6}, 0, cost_case(look, frame, i));
     const double lookups = kLookupsAPixel * std::pow(kUsualTolerance / truth_tolerance(target), 4.0 / 3);
     const double pixels = kShare * seconds / reference_seconds(machine_costs(), lookups);
-    const double each = pixels / static_cast<double>(std::max<size_t>(1, frame.looks.size()));
+    const double each = pixels / static_cast<double>(std::max<size_t>(1, frame.looks().size()));
     return std::clamp(static_cast<size_t>(each), kFewestPixels, kMostPixels);
 }
 
@@ -50,17 +50,17 @@ std::vector<ShadingSettings> LookPlan::plan(const Look& look, const LitFrame& fr
     const size_t count = pixels_to_check(look, frame, m_target);
     std::vector<PlanSubject> subjects;
     std::vector<size_t> fresh;
-    for (size_t i = 0; i < frame.looks.size(); ++i) {
+    for (size_t i = 0; i < frame.looks().size(); ++i) {
         progress.report("planning", 0.0f);
         const auto shader = [&](const EstimatorSettings& settings) {
-            return equip_shader(look, frame.looks[i], {settings, {}, {}});
+            return equip_shader(look, frame.looks()[i], {settings, {}, {}});
         };
         const MaterialShader one = shader(with(look.shading.estimator, kProbe)),
                              other = shader(with(look.shading.estimator, kOtherProbe));
-        CheckSample sample = check_sample(frame.surfaces, frame.assignment, static_cast<int>(i), count, {one, other});
-        const Truth truth(frame.surfaces, std::move(sample), shader(truth_settings(look.shading.estimator, m_target)));
-        m_frame.push_back({{}, frame.looks[i], truth, {}, false});
-        if (const auto known = m_planned.find({frame.looks[i].rule, frame.looks[i].chain}); known != m_planned.end()) {
+        CheckSample sample = check_sample(frame.surfaces(), frame.assignment(), static_cast<int>(i), count, {one, other});
+        const Truth truth(frame.surfaces(), std::move(sample), shader(truth_settings(look.shading.estimator, m_target)));
+        m_frame.push_back({{}, frame.looks()[i], truth, {}, false});
+        if (const auto known = m_planned.find({frame.looks()[i].rule, frame.looks()[i].chain}); known != m_planned.end()) {
             m_frame.back().planned = known->second;
             continue;
         }
@@ -81,8 +81,8 @@ std::vector<ShadingSettings> LookPlan::plan(const Look& look, const LitFrame& fr
 PlanSubject LookPlan::subject_of(const Look& look, const LitFrame& frame, size_t index, Truth truth,
                                  const Progress& progress) const {
     PlanSubject subject{
-        &look.wardrobe.materials[frame.looks[index].rule], std::move(truth), cost_case(look, frame, index), {}, {0}};
-    subject.shader = [&look, lit = frame.looks[index], progress](const EstimatorSettings& settings, const LobeChoice& lobes) {
+        &look.wardrobe.materials[frame.looks()[index].rule], std::move(truth), cost_case(look, frame, index), {}, {0}};
+    subject.shader = [&look, lit = frame.looks()[index], progress](const EstimatorSettings& settings, const LobeChoice& lobes) {
         progress.report("planning", 0.0f);
         return equip_shader(look, lit, {settings, {}, lobes});
     };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <burnish/base/progress.h>
-#include <burnish/job/look.h>
+#include <burnish/job/run_frame.h>
 #include <burnish/output/report.h>
 #include <burnish/plan/planner.h>
 
@@ -12,13 +12,6 @@
 #include <vector>
 
 namespace burnish {
-
-/// A frame before it is shaded.
-struct LitFrame {
-    const Surfaces& surfaces;
-    const Assignment& assignment;  // by look
-    const std::vector<LitRule>& looks;
-};
 
 class LookPlan {
 public:

@@ -92,14 +92,6 @@ Image validity_image(const Surfaces& surfaces, int width, int height) {
     return image;
 }
 
-/// Sparsely where there are predictors.
-ShadedFrame shade(const AovFrame& frame, const Surfaces& surfaces, const Assignment& assignment,
-                  const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
-                  const Progress& progress, bool with_samples) {
-    if (predictors.empty()) return shade_dense(surfaces, assignment, shaders, progress, with_samples);
-    return shade_sparse(frame, surfaces, assignment, shaders, predictors, progress, with_samples);
-}
-
 /// Of each look.
 std::vector<DiffuseReflectance> kd_of(const Wardrobe& wardrobe, const std::vector<LitRule>& looks) {
     std::vector<DiffuseReflectance> kd;
@@ -112,6 +104,20 @@ void check_size(const Assignment& given, const Window& window) {
     throw Error(ErrorCode::size_mismatch, "assign: the masks are " + std::to_string(given.width) + "x" +
                                               std::to_string(given.height) + ", the frame is " + std::to_string(window.width) +
                                               "x" + std::to_string(window.height));
+}
+
+/// Who wears what: as given, or by the rules.
+Assignment assignment_of(const AovFrame& frame, const Wardrobe& wardrobe, const Assignment* given) {
+    if (!given) return assign_rules(frame, wardrobe.rules);
+    check_size(*given, frame.data_window);
+    return *given;
+}
+
+LitAssignment lit_assignment(const AovFrame& frame, const Wardrobe& wardrobe, const Rig& rig, const Assignment* given,
+                             std::vector<size_t>& selected) {
+    Assignment by_rule = assignment_of(frame, wardrobe, given);
+    selected = by_rule.counts;
+    return assign_lights(frame, std::move(by_rule), rig);
 }
 
 }  // namespace
@@ -127,57 +133,70 @@ void Tally::operator+=(const Tally& band) {
     for (const auto& [stage, elapsed] : band.seconds) add_seconds(seconds, stage, elapsed);
 }
 
-FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fine, const Look& look, const Assignment* given,
-                      const Progress& progress) {
+LitFrame::LitFrame(const Job& job, const AovFrame& frame, const AovFrame* fine, const Wardrobe& wardrobe, const Rig& rig,
+                   const Assignment* given)
+    : m_frame(frame),
+      m_fine(fine),
+      m_shown(fine ? *fine : frame),
+      m_lit(lit_assignment(m_shown, wardrobe, rig, given, m_selected)),
+      m_surfaces(m_shown, m_lit.assignment, job.surface),
+      m_kd(kd_of(wardrobe, m_lit.looks)) {}
+
+ShadedFrame LitFrame::shade(const std::vector<MaterialShader>& shaders, const std::vector<BandwidthPredictor>& predictors,
+                            const Progress& progress, bool with_samples) const {
+    const bool all_samples = with_samples || m_shown.has_shaded_margins();
+    if (predictors.empty()) return shade_dense(m_surfaces, m_lit.assignment, shaders, progress, all_samples);
+    return shade_sparse(m_shown, m_surfaces, m_lit.assignment, shaders, predictors, progress, all_samples);
+}
+
+FrameResult LitFrame::finish(const Job& job, ShadedFrame shaded, ShadedFrame* old) const {
     FrameResult result;
-    NamedValues<double> seconds;
-    const bool difference = !look.wardrobe.old_materials.empty();
-    const AovFrame& shown = fine ? *fine : frame;
-    if (given) check_size(*given, shown.data_window);
-    LitAssignment lit;
-    Assignment& assignment = lit.assignment;
-    std::vector<size_t> selected;
-    const Surfaces surfaces = timed(seconds, "surface", [&] {
-        Assignment by_rule = given ? *given : assign_rules(shown, look.wardrobe.rules);
-        selected = by_rule.counts;
-        lit = assign_lights(shown, std::move(by_rule), look.rig);
-        return Surfaces(shown, assignment, job.surface);
-    });
-    result.tally = tally_of(surfaces, lit.looks, std::move(selected));
-    const std::vector<DiffuseReflectance> kd = kd_of(look.wardrobe, lit.looks);
-    std::vector<ShadingSettings> shading;
-    if (look.plan)
-        shading = timed(seconds, "planning", [&] {
-            return look.plan->plan(look, {surfaces, assignment, lit.looks}, progress);
-        });
-    Equipment equipment = timed(seconds, "tables", [&] { return equip(look, lit.looks, shading); });
-    if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
-    ShadedFrame old;
-    const auto shade_all = [&] {
-        const bool with_samples = job.output.diagnostics || shown.has_shaded_margins();
-        result.shaded = shade(shown, surfaces, assignment, equipment.shaders, equipment.predictors,
-                              part_of(progress, 0.0f, difference ? 0.5f : 1.0f), with_samples);
-        if (difference)
-            old = shade(shown, surfaces, assignment, equipment.old_shaders, equipment.old_predictors,
-                        part_of(progress, 0.5f, 1.0f), shown.has_shaded_margins());
-    };
-    timed(seconds, "shading", shade_all);
-    if (look.plan && timed(seconds, "checking", [&] { return look.plan->correct(result.shaded.overlay); })) {
-        equipment = timed(seconds, "tables", [&] { return equip(look, lit.looks, look.plan->shading()); });
-        timed(seconds, "shading", shade_all);
-        timed(seconds, "checking", [&] { look.plan->check(result.shaded.overlay); });
-    }
-    if (look.plan) result.tally.plan = look.plan->reports(look);
-    result.tally.lookups = own_lookups(shown, result.shaded) + own_lookups(shown, old);
-    const Cover cover = timed(seconds, fine ? "antialiasing" : "composite", [&] {
-        if (fine || job.composite.mode == CompositeMode::replace) cover_shaded(surfaces, assignment);
-        if (!fine) return pixel_cover(frame, surfaces, assignment, kd);
-        return resolve_samples(job.antialias, frame, *fine, surfaces, assignment, kd, result, old);
+    result.shaded = std::move(shaded);
+    result.tally = tally_of(m_surfaces, m_lit.looks, m_selected);
+    result.tally.lookups = own_lookups(m_shown, result.shaded) + (old ? own_lookups(m_shown, *old) : 0);
+    if (job.output.diagnostics) result.validity = validity_image(m_surfaces, assignment().width, assignment().height);
+    ShadedFrame none;
+    NamedValues<double>& seconds = result.tally.seconds;
+    const Cover cover = timed(seconds, m_fine ? "antialiasing" : "composite", [&] {
+        Assignment covered = m_lit.assignment;
+        if (m_fine || job.composite.mode == CompositeMode::replace) cover_shaded(m_surfaces, covered);
+        if (!m_fine) return pixel_cover(m_frame, m_surfaces, covered, m_kd);
+        return resolve_samples(job.antialias, m_frame, *m_fine, m_surfaces, covered, m_kd, result, old ? *old : none);
     });
     result.composite = timed(seconds, "composite", [&] {
-        return composite(frame, cover, std::move(result.shaded.overlay), difference ? &old.overlay : nullptr, job.composite);
+        return composite(m_frame, cover, std::move(result.shaded.overlay), old ? &old->overlay : nullptr, job.composite);
     });
-    result.tally.seconds = std::move(seconds);
+    return result;
+}
+
+FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fine, const Look& look, const Assignment* given,
+                      const Progress& progress) {
+    NamedValues<double> seconds;
+    const bool difference = !look.wardrobe.old_materials.empty();
+    std::optional<LitFrame> lit;
+    timed(seconds, "surface", [&] { lit.emplace(job, frame, fine, look.wardrobe, look.rig, given); });
+    std::vector<ShadingSettings> settings;
+    if (look.plan) settings = timed(seconds, "planning", [&] { return look.plan->plan(look, *lit, progress); });
+    ShadedFrame shaded, old;
+    const auto shade = [&] {
+        const Equipment equipment = timed(seconds, "tables", [&] { return equip(look, lit->looks(), settings); });
+        timed(seconds, "shading", [&] {
+            shaded = lit->shade(equipment.shaders, equipment.predictors, part_of(progress, 0.0f, difference ? 0.5f : 1.0f),
+                                job.output.diagnostics);
+            if (difference)
+                old = lit->shade(equipment.old_shaders, equipment.old_predictors, part_of(progress, 0.5f, 1.0f), false);
+        });
+    };
+    shade();
+    if (look.plan && timed(seconds, "checking", [&] { return look.plan->correct(shaded.overlay); })) {
+        settings = look.plan->shading();
+        shade();
+        timed(seconds, "checking", [&] { look.plan->check(shaded.overlay); });
+    }
+    FrameResult result = lit->finish(job, std::move(shaded), difference ? &old : nullptr);
+    NamedValues<double>& told = result.tally.seconds;
+    told.insert(told.begin(), seconds.begin(), seconds.end());
+    if (look.plan) result.tally.plan = look.plan->reports(look);
     return result;
 }
 

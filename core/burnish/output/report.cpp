@@ -52,6 +52,11 @@ json plan_to_json(const PlanReport& plan) {
     return result;
 }
 
+json step_to_json(const StepReport& step) {
+    return {{"step", step.step},       {"label", step.label},     {"is_final", step.is_final},
+            {"lookups", step.lookups}, {"seconds", step.seconds}, {"since_start", step.since_start}};
+}
+
 }  // namespace
 
 size_t Report::count(FrameStatus status) const {
@@ -72,6 +77,7 @@ json report_to_json(const FrameReport& frame) {
                    {"warnings", frame.warnings}};
     if (frame.frame) result["frame"] = *frame.frame;
     if (!frame.error.empty()) result["error"] = frame.error;
+    for (const StepReport& step : frame.steps) result["steps"].push_back(step_to_json(step));
     result["pixels"] = object(frame.pixels);
     result["materials"] = object(frame.materials);
     result["seconds"] = object(frame.seconds);

@@ -34,6 +34,15 @@ struct PlanReport {
     bool is_corrected = false;  // the first plan missed the target
 };
 
+/// One picture of a frame that was refined step by step.
+struct StepReport {
+    int step = 0;
+    std::string label;
+    bool is_final = false;
+    double lookups = 0;                   // in the light, of this picture
+    double seconds = 0, since_start = 0;  // wall time of the step, and until its picture was there
+};
+
 struct FrameReport {
     std::optional<int> frame;  // number, where the job has a frame pattern
     FrameStatus status = FrameStatus::done;
@@ -47,6 +56,7 @@ struct FrameReport {
     double lookups = 0;              // in the light, all pixels
     NamedValues<double> seconds;     // wall time by stage
     std::vector<PlanReport> plan;    // of each material under its lights, where the job has a target
+    std::vector<StepReport> steps;   // progressive runs only; the other numbers are of the last step
     std::vector<std::string> notes, warnings;
 };
 

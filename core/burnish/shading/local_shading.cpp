@@ -4,6 +4,7 @@
 #include <burnish/shading/area_shading.h>
 #include <burnish/shading/disc_light.h>
 #include <burnish/shading/reference.h>
+#include <burnish/shading/running_reference.h>
 #include <burnish/shading/tap_rays.h>
 
 #include <algorithm>
@@ -118,12 +119,24 @@ void add_local_reference(const LobeParameters& parameters, uint32_t index, const
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
             const LocalArrival light{lights, batch.p[i], batch.geometric_normal()[i], prototype.side_sign};
-            const uint32_t seed = hash_bits((batch.pixel[i] + batch.band_start) ^ index * 0xc2b2ae35u);
+            const uint32_t seed = reference_seed(batch, i, index);
             const ReferenceEstimate estimate =
                 reference_estimate(prototype.with_widths(point.mx, point.my), light, settings, point, seed);
             out.overlay[i] += estimate.mean * point.scale;
             out.standard_error[i] = std::hypot(out.standard_error[i], estimate.standard_error * luminance(point.scale));
             out.samples[i] += static_cast<float>(estimate.lookups);
+        }
+    });
+}
+
+void add_local_pass(const LobeParameters& parameters, uint32_t index, const LightChain& lights, const SurfaceBatch& batch,
+                    std::span<RunningReference> running) {
+    visit_lobe(parameters, [&](const auto& prototype) {
+        for (size_t i = 0; i < batch.size(); ++i) {
+            const ShadingPoint point = shading_point(batch, i, parameters, kWorld);
+            const LocalArrival light{lights, batch.p[i], batch.geometric_normal()[i], prototype.side_sign};
+            add_reference_pass(prototype.with_widths(point.mx, point.my), light, point, reference_seed(batch, i, index),
+                               point.scale, running[i]);
         }
     });
 }

@@ -13,6 +13,8 @@
 
 namespace burnish {
 
+struct RunningReference;
+
 /// A material's lobes under one estimator, without any light: made once, shared by its shaders.
 struct MaterialTaps {
     MaterialTaps(const Material& material, const EstimatorSettings& settings);
@@ -37,6 +39,10 @@ void add_local_lobe(const LobeTaps& taps, const LightChain& lights, const Surfac
 /// The same by `reference`; `index` of the lobe, which makes its samples its own.
 void add_local_reference(const LobeParameters& lobe, uint32_t index, const EstimatorSettings& settings,
                          const LightChain& lights, const SurfaceBatch& batch, const LocalSums& out);
+
+/// The lobe's part of the next pass of `reference`, see MaterialShader::add_pass.
+void add_local_pass(const LobeParameters& lobe, uint32_t index, const LightChain& lights, const SurfaceBatch& batch,
+                    std::span<RunningReference> running);
 
 /// Adds the bright discs of the chain's environments, which lookups leave out.
 void add_local_discs(const LobeParameters& lobe, const LightChain& lights, const SurfaceBatch& batch, const LocalSums& out);

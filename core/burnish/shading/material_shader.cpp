@@ -8,6 +8,7 @@
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/reference.h>
+#include <burnish/shading/running_reference.h>
 #include <burnish/shading/split_sum.h>
 #include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
@@ -167,13 +168,23 @@ struct MaterialShader::LobeShader {
         const std::vector<int> passes = first_passes(batch, out);
         for (size_t i = 0; i < batch.size(); ++i) {
             const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
-            const uint32_t seed = hash_bits((batch.pixel[i] + batch.band_start) ^ lobe_index * 0xc2b2ae35u);
+            const uint32_t seed = reference_seed(batch, i, lobe_index);
             const ReferenceEstimate estimate = reference_estimate(prototype.with_widths(point.mx, point.my),
                                                                   DistantArrival{light}, settings, point, seed, passes[i]);
             const Color3f scale = point.scale * light.gain();
             out.overlay[i] += estimate.mean * scale;
             out.standard_error[i] = std::hypot(out.standard_error[i], estimate.standard_error * luminance(scale));
             out.samples[i] += static_cast<float>(estimate.lookups);
+        }
+    }
+
+    template <class LobeType>
+    void add_pass(const LobeType& prototype, const SurfaceBatch& batch, uint32_t lobe_index,
+                  std::span<RunningReference> running) const {
+        for (size_t i = 0; i < batch.size(); ++i) {
+            const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
+            add_reference_pass(prototype.with_widths(point.mx, point.my), DistantArrival{light}, point,
+                               reference_seed(batch, i, lobe_index), point.scale * light.gain(), running[i]);
         }
     }
 
@@ -206,6 +217,8 @@ bool MaterialShader::estimates_error() const {
     return !m_lobes.empty() && m_lobes[0]->settings.kind == EstimatorKind::reference;
 }
 
+int MaterialShader::lobe_count() const { return static_cast<int>(m_taps ? m_taps->lobes.size() : m_lobes.size()); }
+
 void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
     out.overlay.assign(batch.size(), Color3f(0, 0, 0));
     out.samples.assign(batch.size(), 0.0f);
@@ -214,6 +227,14 @@ void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
         shade_local(batch, out);
     else
         shade_distant(batch, out);
+}
+
+void MaterialShader::add_pass(const SurfaceBatch& batch, std::span<RunningReference> running) const {
+    for (uint32_t index = 0; m_taps && index < m_taps->lobes.size(); ++index)
+        add_local_pass(m_taps->lobes[index], index, m_lights, batch, running);
+    for (uint32_t index = 0; index < m_lobes.size(); ++index)
+        visit_lobe(m_lobes[index]->lobe, [&](const auto& lobe) { m_lobes[index]->add_pass(lobe, batch, index, running); });
+    for (RunningReference& pixel : running) pixel.points += kPassPoints;
 }
 
 void MaterialShader::shade_local(const SurfaceBatch& batch, ShadedBatch& out) const {

@@ -10,11 +10,13 @@
 #include <burnish/surface/surface_batch.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace burnish {
 
 struct MaterialTaps;
+struct RunningReference;
 
 /// Results of one batch, entry i for batch pixel i.
 struct ShadedBatch {
@@ -35,11 +37,17 @@ public:
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
     void shade(const SurfaceBatch& batch, ShadedBatch& out) const;
 
+    /// Adds the next pass of `reference` to what it has summed up at each pixel, whatever its tolerance. Of `reference` only;
+    /// thread-safe as `shade`.
+    void add_pass(const SurfaceBatch& batch, std::span<RunningReference> running) const;
+
     /// The fields of a batch that `shade` reads.
     BatchNeeds needs() const;
 
     /// Whether `shade` fills standard_error: the estimator is `reference`.
     bool estimates_error() const;
+
+    int lobe_count() const;
 
     struct LobeShader;  // one lobe under one estimator
 

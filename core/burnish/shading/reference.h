@@ -76,6 +76,11 @@ inline ReferenceEstimate summary(const std::array<Color3f, kReplicates>& sums, i
     return result;
 }
 
+/// Of a pixel's lobe: the same in whatever batch or band the pixel comes.
+inline uint32_t reference_seed(const SurfaceBatch& batch, size_t i, uint32_t lobe_index) {
+    return hash_bits((batch.pixel[i] + batch.band_start) ^ lobe_index * 0xc2b2ae35u);
+}
+
 /// Passes until the standard error is below `tolerance` of the mean, looked at from `first_passes` on, or until `max_samples`
 /// lookups. `seed` from the pixel.
 template <class LobeType, class Arrival>
