@@ -8,7 +8,7 @@ const std::vector<Configuration>& configurations() {
         std::vector<Configuration> list;
         for (const int samples : {1, 2, 3, 4, 6, 8, 12, 16}) list.push_back({fitted, samples});
         for (const int samples : {4, 7, 12, 19, 30, 61}) list.push_back({regular, samples});
-        for (const int samples : {16, 32, 64, 128, 256, 512}) list.push_back({filtered_importance, samples});
+        for (const int samples : {16, 32, 64, 128, 256, 512, 1024, 2048}) list.push_back({filtered_importance, samples});
         return list;
     }();
     return all;

@@ -15,11 +15,14 @@ struct Configuration {
     auto operator<=>(const Configuration&) const = default;
 };
 
-/// fitted 1 to 16, regular 4 to 61, filtered_importance 16 to 512: all that error and cost models know of.
+/// fitted 1 to 16, regular 4 to 61, filtered_importance 16 to 2048: all that error and cost models know of.
 const std::vector<Configuration>& configurations();
 
 /// The configuration that tells most about all others under a light, for little: nineteen regular lookups.
 inline constexpr Configuration kProbe{EstimatorKind::regular, 19};
+
+/// One that errs differently.
+inline constexpr Configuration kOtherProbe{EstimatorKind::filtered_importance, 32};
 
 /// The job's settings with this estimator and count.
 EstimatorSettings with(EstimatorSettings settings, const Configuration& configuration);
