@@ -48,7 +48,7 @@ void add_pixel(const TapRays& asked, std::span<const Incident> found, size_t fir
         const float bend = std::fabs(weight[3]) * found[k].bend;
         bends += bend, nearness += found[k].nearness * nearness_weight(luminance(light), bend);
     }
-    out.overlay[i] += sum * scale;
+    out.overlay[i] += reflected(sum) * scale;
     if (out.bend.empty()) return;
     out.bend[i] += bends * luminance(scale), out.nearness[i] += nearness * luminance(scale);
 }

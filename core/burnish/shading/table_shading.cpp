@@ -72,7 +72,7 @@ void shade_batch(const TableShading& shading, const SurfaceBatch& batch, const T
         shade_block(shading, block, count, taps, queue, sums);
         for (size_t i = 0; i < count; ++i) {
             const Color3f scale = gain * pixel_scale(shading.lobe, batch, begin + i);
-            out.overlay[begin + i] += sums.light[i] * scale;
+            out.overlay[begin + i] += reflected(sums.light[i]) * scale;
             out.samples[begin + i] += static_cast<float>(sums.lookups[i]);
             if (!out.fourth.empty()) out.fourth[begin + i] += sums.fourth[i] * luminance(scale);
             if (!out.weight.empty()) out.weight[begin + i] += sums.weight[i] * luminance(scale);

@@ -23,6 +23,10 @@ struct Tap {
     float edge = kHardEdge;   // how fast it fades where the geometric surface hides it: 1 / sine of the angle it takes
 };
 
+/// What the taps of a lobe come to. Fits may have taps of negative weight; where such a one meets a lamp that its neighbours just
+/// miss the sum is below zero, which no reflection is.
+inline Color3f reflected(const Color3f& sum) { return {std::max(sum.x, 0.0f), std::max(sum.y, 0.0f), std::max(sum.z, 0.0f)}; }
+
 /// Share of a tap that the geometric surface leaves of what the shading surface leaves, 1 where both are one. A wide tap fades
 /// while it sets: share(x) = 1/2 + x edge / 2 in [0, 1]; one with a hard edge is there or not. above_n, above_ng: cosines of
 /// wi to both normals.

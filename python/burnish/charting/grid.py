@@ -10,7 +10,7 @@ import dataclasses
 from .front import front_of
 from .setting import FACES, Setting
 
-MOST_MEMBERS = 5  # of a front that the next choice is tried on
+MOST_MEMBERS = 4  # of a front that the next choice is tried on
 
 
 @dataclasses.dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 from .. import __version__
-from . import benchmark, report
+from . import report
 from .bench import Effort
 from .files import both_or_none
 from .grid import Grid
@@ -14,11 +14,12 @@ from .store import write_json
 from .sweep import Sweep
 from .table import write_csv
 
-GRID = Grid(benchmark.LOOKUPS)
+GRID = Grid({"fitted": (1, 2, 3, 4, 6, 8, 12), "regular": (4, 7, 12, 19, 30, 61), "filtered_importance": (4, 16, 64),
+             "preconvolved": (4, 16, 64), "split_sum": (1,)})
 QUICK_GRID = Grid({"fitted": (2, 4, 8), "regular": (7, 19), "filtered_importance": (16,), "preconvolved": (16,), "split_sum": (1,)},
                   (1.0, 2.0), ("keep",), ("half",))
 EFFORT = Effort()
-QUICK_EFFORT = Effort(tolerance=0.03, most_lookups=4096, pixels=300, seconds=0.15)
+QUICK_EFFORT = Effort(tolerance=0.03, most_lookups=4096, pixels=300, seconds=0.1)
 
 
 def sweep_of(store, progress, quick, threads, only=()):

@@ -10,11 +10,11 @@ import numpy as np
 from .. import local_bandwidth
 from . import panels, scenes
 from .case import Outcome, case
+from .half_sky import half_sky
 from .measures import difference, psnr
 from .motion import lamps
 
 SAFETY = (1, 2)
-EDGE = scenes.unit((0.8, 0.3, 0.1))
 
 
 def both(frame, light, lobe, mask=None):
@@ -75,8 +75,8 @@ def bumpy_normals_by_default():
       why="52 dB are promised over a whole object; where all the error is, 52.9 today at the default and 41.5 at safety 1.",
       at_least=51)
 def step_edge_in_light():
-    """A smooth ball under half a sky, fifty times as bright as the other half; where the overlay is between both."""
-    light, ball = scenes.environment(scenes.sky(lambda d: np.where(d @ EDGE > 0.1, 1, 0.02), 256)), scenes.sphere(144)
+    """A smooth ball under half a sky; where the overlay is between both."""
+    light, ball = scenes.environment(scenes.sky(half_sky, 256)), scenes.sphere(144)
     found, shown = {}, None
     for m in (0.02, 0.05, 0.1, 0.2):
         lobe = scenes.lobe("ggx", m)

@@ -80,6 +80,24 @@ TEST(Fitted, KeepsTheAlbedoUnderConstantLight) {
         }
 }
 
+/// Fits have taps of negative weight, which may meet a lamp that the others miss.
+TEST(Fitted, TakesNoLightAway) {
+    const Environment light = stress(7);
+    for (const LobeParameters& lobe : {lobe_of(ModelId::beckmann, 0.1f, 0.1f), lobe_of(ModelId::beckmann, 0.3f, 0.3f)}) {
+        SurfaceBatch batch;
+        for (int i = 0; i < 64 * 24; ++i) {
+            const float phi = 2 * kPi * static_cast<float>(i % 64) / 64, z = 0.005f + 0.006f * static_cast<float>(i / 64);
+            const float across = std::sqrt(1 - z * z);
+            batch.pixel.push_back(0), batch.p.push_back({0, 0, 0}), batch.t.push_back({1, 0, 0});
+            batch.n.push_back({0, 0, 1}), batch.ng.push_back({0, 0, 1});
+            batch.wo.push_back({across * std::cos(phi), across * std::sin(phi), z});
+        }
+        ShadedBatch out;
+        MaterialShader({"rim", Color3f(0), {lobe}}, light, estimator(EstimatorKind::fitted)).shade(batch, out);
+        for (size_t i = 0; i < batch.size(); ++i) EXPECT_GE(luminance(out.overlay[i]), 0) << "cos " << batch.wo[i].z;
+    }
+}
+
 /// The bars of the estimator: four lookups do what sixteen regular ones do, seven have a third of filtered importance's error.
 TEST(Fitted, NeedsFarFewerLookups) {
     const Environment light = stress(7);
