@@ -12,6 +12,7 @@
 #include <burnish/job/read_frame.h>
 #include <burnish/job/run.h>
 #include <burnish/job/run_frame.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
 #include <burnish/job/stages.h>
@@ -73,14 +74,11 @@ std::shared_ptr<const AovFrame> frame_from_python(const py::object& arrays, cons
     });
 }
 
-constexpr float kLightShare = 0.3f;  // of progress, for lights near the objects
-
 Look look_of(const Job& job, Wardrobe wardrobe, std::shared_ptr<const Environment> environment, const LightFrame& of_light,
-             const Progress& progress, NamedValues<double>& seconds) {
+             NamedValues<double>& seconds) {
     const ColorFlow color(job);
     Rig rig = timed(seconds, "light", [&] {
-        Rig loaded =
-            build_rig(job, wardrobe.rules, color, std::move(environment), of_light, part_of(progress, 0.0f, kLightShare));
+        Rig loaded = build_rig(job, wardrobe.rules, color, std::move(environment), of_light);
         load_frame_lights(loaded, color, of_light);
         return loaded;
     });
@@ -110,16 +108,16 @@ py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays
     FrameReport report;
     FrameResult result = python_progress.run([&](const Progress& progress) {
         NamedValues<double> seconds;
-        const Look look = look_of(job, std::move(wardrobe), environment, of_light, progress, seconds);
-        const float begin = job.lights.empty() ? 0.0f : kLightShare;
-        FrameResult done =
-            run_frame(job, frame, samples, look, assignment ? &*assignment : nullptr, part_of(progress, begin, 1.0f));
+        const Look look = look_of(job, std::move(wardrobe), environment, of_light, seconds);
+        FrameResult done = run_frame(job, frame, samples, look, assignment ? &*assignment : nullptr, progress);
         ColorFlow(job).to_output(done.composite);
         report = frame_report(job, frame, samples, look, done.tally);
         report.seconds.insert(report.seconds.begin(), seconds.begin(), seconds.end());
         const auto add = [&](const auto& lines) { report.warnings.insert(report.warnings.end(), lines.begin(), lines.end()); };
-        add(look.wardrobe.warnings), add(look.rig.warnings);
-        report.notes.insert(report.notes.end(), look.rig.notes.begin(), look.rig.notes.end());
+        const LightNotes told = look.rig.told();
+        add(look.wardrobe.warnings), add(told.warnings);
+        report.notes.insert(report.notes.end(), told.notes.begin(), told.notes.end());
+        std::ranges::copy(saved_light(look.rig), std::back_inserter(report.saved));
         return done;
     });
     return to_python(std::move(result), report);

@@ -4,6 +4,7 @@
 #include <burnish/job/build_lights.h>
 #include <burnish/job/flow_progress.h>
 #include <burnish/job/frame_sink.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -34,6 +35,7 @@ public:
             prepare(band);
             LightNotes told = load_own_lights(band);
             run(band);
+            tell_of_lights();
             band.result.tally.notes = std::move(told.notes), band.result.tally.warnings = std::move(told.warnings);
         } catch (const Error& error) {
             if (error.code() == ErrorCode::cancelled) throw;
@@ -48,14 +50,19 @@ private:
     void prepare(Band& band) {
         if (m_look) return;
         band.is_run_over = true;
-        Rig rig = timed(m_report.seconds, "light", [&] {
-            return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band),
-                             part_of(m_progress, 0.0f, 0.3f / m_tasks));
-        });
-        m_report.notes = rig.notes;
-        m_report.warnings.insert(m_report.warnings.end(), rig.warnings.begin(), rig.warnings.end());
+        Rig rig = timed(m_report.seconds, "light",
+                        [&] { return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band)); });
         m_look = timed(m_report.seconds, "tables", [&] { return prepare_look(m_job, m_wardrobe, std::move(rig)); });
         band.is_run_over = false;
+    }
+
+    /// Lights are loaded when a pixel needs them: what they tell, and what was saved, changes until the last frame.
+    void tell_of_lights() {
+        LightNotes told = m_look->rig.told();
+        m_report.notes = std::move(told.notes);
+        m_report.warnings = m_wardrobe.warnings;
+        m_report.warnings.insert(m_report.warnings.end(), told.warnings.begin(), told.warnings.end());
+        m_report.saved = saved_light(m_look->rig);
     }
 
     /// The lights that are the frame's own, with its first band.

@@ -3,7 +3,9 @@
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/composite/sample_grid.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/frame_cover.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 #include <burnish/shading/sparse.h>
 
@@ -143,6 +145,7 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
     });
     result.tally = tally_of(surfaces, lit.looks, std::move(selected));
     const std::vector<DiffuseReflectance> kd = kd_of(look.wardrobe, lit.looks);
+    load_needed(look.rig, lit.looks, seconds, progress);
     const Equipment equipment = equip(look, lit.looks);
     if (job.output.diagnostics) result.validity = validity_image(surfaces, assignment.width, assignment.height);
     ShadedFrame old;
@@ -182,6 +185,7 @@ FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* 
     report.notes.insert(report.notes.end(), tally.notes.begin(), tally.notes.end());
     report.warnings.insert(report.warnings.end(), tally.warnings.begin(), tally.warnings.end());
     if (tally.lacks_tangents) warn_of_tangents(look, job.surface.tangent_axis, report);
+    report.saved = saved_reading(shown);
     report.lookups = tally.lookups;
     report.seconds = tally.seconds;
     return report;

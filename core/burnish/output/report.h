@@ -29,6 +29,7 @@ struct FrameReport {
     double lookups = 0;              // in the light, all pixels
     NamedValues<double> seconds;     // wall time by stage
     std::vector<std::string> notes, warnings;
+    std::vector<std::string> saved;  // what was not read or made, as nothing needed it
 };
 
 struct Report {
@@ -36,6 +37,7 @@ struct Report {
     std::string job;      // the job as a shot file, JSON text
     std::vector<FrameReport> frames;
     std::vector<std::string> notes, warnings;  // about light and materials
+    std::vector<std::string> saved;            // of the lights
     NamedValues<double> seconds;               // stages done once, and "total"
 
     size_t count(FrameStatus status) const;
