@@ -23,10 +23,10 @@ void print_lines(const char* label, const std::vector<std::string>& lines) {
 }
 
 void print(const Report& report, const Options& options) {
-    if (options.verbose) print_lines("note", report.notes);
+    if (options.verbose) print_lines("note", report.notes), print_lines("saved", report.saved);
     if (!options.quiet) print_lines("warning", report.warnings);
     for (const FrameReport& frame : report.frames) {
-        if (options.verbose) print_lines("note", frame.notes);
+        if (options.verbose) print_lines("note", frame.notes), print_lines("saved", frame.saved);
         if (!options.quiet) print_lines("warning", frame.warnings);
         if (options.quiet || options.as_json) continue;
         std::printf("%s\n", summary(frame).c_str());

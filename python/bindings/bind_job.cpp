@@ -31,10 +31,9 @@ py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays
     NamedValues<double> seconds;
     Look look;
     FrameResult result = python_progress.run([&](const Progress& progress) {
-        Rig rig = timed(seconds, "light", [&] { return given.load_rig(progress); });
+        Rig rig = timed(seconds, "light", [&] { return given.load_rig(); });
         look = prepare_look(given.job, given.wardrobe, std::move(rig));
-        return run_frame(given.job, given.picture(), given.samples(), look, given.masked(),
-                         part_of(progress, given.light_share(), 1.0f));
+        return run_frame(given.job, given.picture(), given.samples(), look, given.masked(), progress);
     });
     return given.to_python(std::move(result), look, seconds);
 }
@@ -46,8 +45,8 @@ public:
                     const py::dict& settings, const py::object& callback)
         : m_progress(callback), m_given(arrays, fine_arrays, light, masks, settings, m_progress) {
         const ThreadLimit limit(m_given.job.threads);
-        m_progress.run([&](const Progress& progress) {
-            Rig rig = timed(m_seconds, "light", [&] { return m_given.load_rig(progress); });
+        m_progress.run([&](const Progress&) {
+            Rig rig = timed(m_seconds, "light", [&] { return m_given.load_rig(); });
             m_refinement.emplace(m_given.job, m_given.picture(), m_given.samples(), m_given.wardrobe, std::move(rig),
                                  m_given.masked());
         });

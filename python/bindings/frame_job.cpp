@@ -8,12 +8,11 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/read_frame.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/settings.h>
 
 namespace burnish::python {
 namespace {
-
-constexpr float kLightShare = 0.3f;  // of progress, for lights near the objects
 
 std::map<Role, Image> layers_from_python(const py::dict& arrays) {
     std::map<Role, Image> layers;
@@ -66,12 +65,10 @@ FrameJob::FrameJob(const py::object& arrays, const py::object& fine_arrays, cons
     environment = light_from_python(job, light, frame->renderer);
 }
 
-float FrameJob::light_share() const { return job.lights.empty() ? 0.0f : kLightShare; }
-
-Rig FrameJob::load_rig(const Progress& progress) const {
+Rig FrameJob::load_rig() const {
     const ColorFlow color(job);
     const LightFrame of_light{frame->renderer, (fine ? *fine : *frame).camera, {}};
-    Rig rig = build_rig(job, wardrobe.rules, color, environment, of_light, part_of(progress, 0.0f, kLightShare));
+    Rig rig = build_rig(job, wardrobe.rules, color, environment, of_light);
     load_frame_lights(rig, color, of_light);
     return rig;
 }
@@ -81,8 +78,9 @@ py::dict FrameJob::to_python(FrameResult&& result, const Look& look, const Named
     FrameReport report = frame_report(job, *frame, samples(), look, result.tally);
     report.seconds.insert(report.seconds.begin(), seconds.begin(), seconds.end());
     const auto add_lines = [](const auto& lines, auto& all) { all.insert(all.end(), lines.begin(), lines.end()); };
-    add_lines(look.wardrobe.warnings, report.warnings), add_lines(look.rig.warnings, report.warnings);
-    add_lines(look.rig.notes, report.notes);
+    const LightNotes told = look.rig.told();
+    add_lines(look.wardrobe.warnings, report.warnings), add_lines(told.warnings, report.warnings);
+    add_lines(told.notes, report.notes), add_lines(saved_light(look.rig), report.saved);
     py::dict layers;
     const auto add = [&](const char* name, Image& image) {
         if (!image.empty()) layers[name] = to_array(std::move(image));

@@ -23,9 +23,7 @@ struct FrameJob {
     const AovFrame* samples() const { return fine.get(); }
     const Assignment* masked() const { return assignment ? &*assignment : nullptr; }
 
-    /// The lights, in the first `light_share` of progress.
-    Rig load_rig(const Progress& progress) const;
-    float light_share() const;
+    Rig load_rig() const;
 
     /// Layers by name and the report, to which `seconds` come first; `look` made it.
     pybind11::dict to_python(FrameResult&& result, const Look& look, const NamedValues<double>& seconds) const;

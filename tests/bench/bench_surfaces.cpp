@@ -35,7 +35,7 @@ Look look_of_nothing(const std::shared_ptr<const Environment>& light) {
     job.assign = rules(), job.density.density = ShadingDensity::dense;
     for (const AssignRule& rule : job.assign) job.materials[rule.material] = {rule.material, Color3f(0, 0, 0), {}};
     Wardrobe wardrobe = prepare_wardrobe(job);
-    Rig rig = build_rig(job, wardrobe.rules, ColorFlow(job), light, {}, {});
+    Rig rig = build_rig(job, wardrobe.rules, ColorFlow(job), light, {});
     return prepare_look(job, std::move(wardrobe), std::move(rig));
 }
 

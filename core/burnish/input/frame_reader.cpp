@@ -62,6 +62,15 @@ void add_cryptomattes(const ExrFile& file, AovFrame& frame) {
     }
 }
 
+void count_channels(const ExrFile& file, const std::vector<Slot>& slots, AovFrame& frame) {
+    auto metadata = std::make_shared<Metadata>(*frame.metadata);
+    ChannelCounts& counts = metadata->channels;
+    for (const Layer& layer : file.layers()) counts.all += layer.channels.size();
+    for (const Slot& slot : slots) counts.decoded += slot.candidates.front().channels.size();
+    for (const Cryptomatte& matte : frame.cryptomattes) counts.decoded += matte.channels.size();
+    frame.metadata = std::move(metadata);
+}
+
 /// Roles whose pixels decide how the frame is read.
 bool is_decisive(Role role) { return is_judged(role) || role == Role::depth; }
 
@@ -97,6 +106,7 @@ FrameReader::FrameReader(const std::string& file, const ReadOptions& options, si
     m_whole = std::exchange(m_frame.layers, {});
     for (const Slot& slot : m_slots) note_layer(m_file, slot, m_frame);
     if (options.cryptomattes) add_cryptomattes(m_file, m_frame);
+    count_channels(m_file, m_slots, m_frame);
 } catch (const std::bad_alloc&) {
     fail_memory(file);
 }

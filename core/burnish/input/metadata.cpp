@@ -18,6 +18,8 @@ std::vector<std::string> attribute_names(const Metadata& metadata) {
     return names;
 }
 
+ChannelCounts channel_counts(const Metadata& metadata) { return metadata.channels; }
+
 std::optional<std::string> string_attribute(const Metadata& metadata, const std::string& name) {
     const OIIO::ParamValue* attribute = find(metadata, name);
     if (!attribute || attribute->type() != OIIO::TypeString) return std::nullopt;

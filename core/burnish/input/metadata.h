@@ -14,6 +14,12 @@ namespace burnish {
 
 struct Metadata;
 
+/// Channels of the file, and those of them that were decoded.
+struct ChannelCounts {
+    size_t decoded = 0, all = 0;
+};
+ChannelCounts channel_counts(const Metadata& metadata);
+
 /// Names of all attributes, in the order of the file.
 std::vector<std::string> attribute_names(const Metadata& metadata);
 

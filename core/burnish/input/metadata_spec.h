@@ -10,6 +10,7 @@ namespace burnish {
 struct Metadata {
     OIIO::ImageSpec spec;     // of the part that holds the beauty, or of the first one read
     std::string layers = {};  // what the file has, for messages
+    ChannelCounts channels = {};
 };
 
 }  // namespace burnish

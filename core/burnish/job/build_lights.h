@@ -4,8 +4,10 @@
 #include <burnish/base/progress.h>
 #include <burnish/input/camera.h>
 #include <burnish/input/renderer.h>
+#include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
 #include <burnish/job/rig.h>
+#include <burnish/output/report.h>
 
 namespace burnish {
 
@@ -22,16 +24,15 @@ struct LightFrame {
 /// their user says otherwise.
 UpAxis settled_up(UpAxis up, Renderer renderer);
 
-/// The lights that `rules` can use, several at a time; not those of files with a frame number. `environment`: instead of the job's
-/// file; null: that one, if there is one. Progress goes from 0 to 1 under "lights".
-/// Throws Error(bad_argument | read_failed | missing_channel | color_space | cancelled).
+/// The lights that `rules` can use; those near the objects are loaded when needed, but their files must be there.
+/// `environment`: instead of the job's file; null: that one, if there is one.
+/// Throws Error(bad_argument | read_failed | missing_channel | color_space).
 Rig build_rig(const Job& job, const std::vector<AssignRule>& rules, const ColorFlow& color,
-              std::shared_ptr<const Environment> environment, const LightFrame& frame, const Progress& progress);
+              std::shared_ptr<const Environment> environment, const LightFrame& frame);
 
-/// What lights have to tell.
-struct LightNotes {
-    std::vector<std::string> notes, warnings;
-};
+/// Loads the lights of these chains that nobody needed before, several at a time, and filters them; their time goes to `seconds`
+/// under "light". Throws Error(bad_argument | read_failed | missing_channel | color_space | cancelled).
+void load_needed(const Rig& rig, const std::vector<LitRule>& looks, NamedValues<double>& seconds, const Progress& progress);
 
 /// Whether some light is another one for each frame.
 bool has_frame_lights(const Rig& rig);

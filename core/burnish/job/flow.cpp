@@ -4,6 +4,7 @@
 #include <burnish/job/build_lights.h>
 #include <burnish/job/flow_progress.h>
 #include <burnish/job/frame_sink.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -34,6 +35,7 @@ public:
             prepare(band);
             LightNotes told = load_own_lights(band);
             run(band);
+            tell_of_lights(*m_look, m_report);
             band.result.tally.notes = std::move(told.notes), band.result.tally.warnings = std::move(told.warnings);
         } catch (const Error& error) {
             if (error.code() == ErrorCode::cancelled) throw;
@@ -48,12 +50,8 @@ private:
     void prepare(Band& band) {
         if (m_look) return;
         band.is_run_over = true;
-        Rig rig = timed(m_report.seconds, "light", [&] {
-            return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band),
-                             part_of(m_progress, 0.0f, 0.3f / m_tasks));
-        });
-        m_report.notes = rig.notes;
-        m_report.warnings.insert(m_report.warnings.end(), rig.warnings.begin(), rig.warnings.end());
+        Rig rig = timed(m_report.seconds, "light",
+                        [&] { return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band)); });
         m_look = prepare_look(m_job, m_wardrobe, std::move(rig), static_cast<int>(m_frames.size()));
         band.is_run_over = false;
     }

@@ -1,6 +1,7 @@
 #include <burnish/job/refinement.h>
 
 #include <burnish/base/error.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/stages.h>
 #include <burnish/shading/blend.h>
 
@@ -60,6 +61,7 @@ RefinedFrame Refinement::next(const Progress& progress) {
     NamedValues<double> seconds;
     RefinedFrame refined;
     refined.step = m_step;
+    if (m_step == 0) load_needed(m_look.rig, m_lit.looks(), seconds, progress);
     Pictures pictures;
     if (const size_t step = static_cast<size_t>(m_step); step < m_filtered_steps.size()) {
         shade_filtered(m_filtered_steps[step], progress, seconds);

@@ -1,6 +1,7 @@
 // The lights of a job, ready to shine, and which of them each rule may use.
 #pragma once
 
+#include <burnish/job/light_slot.h>
 #include <burnish/light/light_chain.h>
 #include <burnish/light/light_settings.h>
 
@@ -14,7 +15,7 @@ namespace burnish {
 struct RigLight {
     std::string name;
     std::optional<LightSettings> settings;  // none: the environment
-    std::shared_ptr<const Light> light;     // null: its file is another one for each frame, and no frame has come yet
+    std::shared_ptr<LightSlot> slot;        // null: its file is another one for each frame, and no frame has come yet
     bool blocks = true;
 
     template <class Kind>
@@ -29,7 +30,6 @@ using RigChain = std::vector<size_t>;
 struct Rig {
     std::vector<RigLight> lights;                 // by name, the environment last; those that no rule can use are not there
     std::vector<std::optional<RigChain>> chains;  // of each rule; none: chosen by place, see assign_lights.h
-    std::vector<std::string> notes, warnings;     // of lights that are the same for every frame
 
     bool has_environment() const { return !lights.empty() && !lights.back().settings; }
     /// Null when there is none.
@@ -38,7 +38,11 @@ struct Rig {
     bool is_distant(const RigChain& chain) const {
         return chain.size() == 1 && has_environment() && chain[0] + 1 == lights.size();
     }
+    /// Loads what is not loaded yet.
     LightChain chain(const RigChain& places) const;
+    size_t loaded_count() const;
+    /// Of the lights loaded so far, in their order.
+    LightNotes told() const;
 };
 
 }  // namespace burnish

@@ -34,7 +34,7 @@ public:
         const bool has_fine = !task.fine_aovs.empty();
         const AovFrame frame = read_job_frame(m_job, m_wardrobe, has_fine ? task.fine_aovs : task.aovs, task.camera,
                                               has_fine ? FramePart::surfaces : FramePart::whole);
-        prepare(frame, task.frame, part_of(progress, 0.0f, 0.1f));
+        prepare(frame, task.frame);
         NamedValues<double> seconds;
         const BandwidthLayers layers =
             timed(seconds, "predicting", [&] { return predict(frame, part_of(progress, 0.1f, 0.9f)); });
@@ -47,10 +47,10 @@ public:
     }
 
 private:
-    void prepare(const AovFrame& frame, std::optional<int> number, const Progress& progress) {
+    void prepare(const AovFrame& frame, std::optional<int> number) {
         const LightFrame of_light{frame.renderer, frame.camera, number};
         if (!m_look) {
-            Rig rig = build_rig(m_job, m_wardrobe.rules, m_color, nullptr, of_light, progress);
+            Rig rig = build_rig(m_job, m_wardrobe.rules, m_color, nullptr, of_light);
             m_look = prepare_look(m_job, m_wardrobe, std::move(rig));
             if (const Environment* environment = m_look->rig.environment())
                 m_variances = prepare_variances(m_wardrobe.materials, *environment, m_job.density);
@@ -60,6 +60,8 @@ private:
 
     BandwidthLayers predict(const AovFrame& frame, const Progress& progress) const {
         const LitAssignment lit = assign_lights(frame, assign_rules(frame, m_wardrobe.rules), m_look->rig);
+        NamedValues<double> seconds;
+        load_needed(m_look->rig, lit.looks, seconds, progress);
         const Surfaces surfaces(frame, lit.assignment, m_job.surface);
         BandwidthLook look{equip(*m_look, lit.looks).predictors, {}};
         for (const LitRule& own : lit.looks)

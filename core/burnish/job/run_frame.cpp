@@ -3,8 +3,10 @@
 #include <burnish/base/error.h>
 #include <burnish/base/parallel.h>
 #include <burnish/composite/sample_grid.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/frame_cover.h>
 #include <burnish/job/look_plan.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 #include <burnish/shading/sparse.h>
 
@@ -175,6 +177,7 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
     const bool difference = !look.wardrobe.old_materials.empty();
     std::optional<LitFrame> lit;
     timed(seconds, "surface", [&] { lit.emplace(job, frame, fine, look.wardrobe, look.rig, given); });
+    load_needed(look.rig, lit->looks(), seconds, progress);
     std::vector<ShadingSettings> settings;
     if (look.plan) settings = timed(seconds, "planning", [&] { return look.plan->plan(look, *lit, progress); });
     ShadedFrame shaded, old;
@@ -215,6 +218,7 @@ FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* 
     report.notes.insert(report.notes.end(), tally.notes.begin(), tally.notes.end());
     report.warnings.insert(report.warnings.end(), tally.warnings.begin(), tally.warnings.end());
     if (tally.lacks_tangents) warn_of_tangents(look, job.surface.tangent_axis, report);
+    report.saved = saved_reading(shown);
     report.lookups = tally.lookups;
     report.seconds = tally.seconds;
     report.plan = tally.plan;

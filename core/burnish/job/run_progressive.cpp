@@ -9,6 +9,7 @@
 #include <burnish/job/refinement.h>
 #include <burnish/job/run.h>
 #include <burnish/job/shot_file.h>
+#include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 #include <burnish/job/write_frame.h>
 #include <burnish/output/exr_threads.h>
@@ -45,11 +46,8 @@ struct Shot {
 
 Rig rig_of(const Job& job, const Wardrobe& wardrobe, const ColorFlow& color, const LightFrame& frame, Report& report) {
     return timed(report.seconds, "light", [&] {
-        Rig rig = build_rig(job, wardrobe.rules, color, nullptr, frame, {});
-        report.notes = rig.notes, report.warnings.insert(report.warnings.end(), rig.warnings.begin(), rig.warnings.end());
-        const LightNotes own = load_frame_lights(rig, color, frame);
-        report.notes.insert(report.notes.end(), own.notes.begin(), own.notes.end());
-        report.warnings.insert(report.warnings.end(), own.warnings.begin(), own.warnings.end());
+        Rig rig = build_rig(job, wardrobe.rules, color, nullptr, frame);
+        load_frame_lights(rig, color, frame);
         return rig;
     });
 }
@@ -73,6 +71,7 @@ public:
         m_steps.push_back(step);
         entry.steps = m_steps;
         m_report.frames = {std::move(entry)};
+        tell_of_lights(look, m_report);
         return step;
     }
 

@@ -27,7 +27,7 @@ const CubePyramid& Environment::pyramid() const {
 
 const GaussianStack& Environment::gaussian_stack() const {
     Filtered& filtered = *m_filtered;
-    std::call_once(filtered.stack_made, [&] { filtered.stack = GaussianStack(*filtered.faces); });
+    std::call_once(filtered.stack_made, [&] { filtered.stack = GaussianStack(filtered.faces); });
     return filtered.stack;
 }
 

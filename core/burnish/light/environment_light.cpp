@@ -38,7 +38,7 @@ LightDraw EnvironmentLight::sample(const Vec3f&, const Vec2f& u) const {
 }
 
 float EnvironmentLight::mean_luminance() const {
-    return luminance(m_environment->gain()) * burnish::mean_luminance(m_environment->gaussian_stack().stack());
+    return luminance(m_environment->gain()) * burnish::mean_luminance(m_environment->gaussian_stack());
 }
 
 }  // namespace burnish

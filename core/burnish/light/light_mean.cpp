@@ -6,8 +6,8 @@
 
 namespace burnish {
 
-float mean_luminance(const CubeStack& stack) {
-    const CubeLevel& widest = stack[stack.level_count() - 1];
+float mean_luminance(const GaussianStack& stack) {
+    const CubeLevel& widest = stack.widest()[stack.level_count() - 1];
     double sum = 0;
     for (int face = 0; face < 6; ++face)
         for (int y = 0; y < widest.size(); ++y)

@@ -4,13 +4,13 @@
 // a job, whatever bands and tiles its frames are shaded in. Predictions depend on it by its fourth root only.
 #pragma once
 
-#include <burnish/light/filter/cube_stack.h>
+#include <burnish/light/filter/gaussian_stack.h>
 #include <burnish/light/light_chain.h>
 
 namespace burnish {
 
 /// Of the radiance in the stack's widest level.
-float mean_luminance(const CubeStack& stack);
+float mean_luminance(const GaussianStack& stack);
 
 /// Of a room, whose lamps are few and bright: the square of the mean of square roots, as a display weighs them.
 float display_mean_luminance(const CubeStack& stack);

@@ -74,7 +74,8 @@ json report_to_json(const FrameReport& frame) {
                    {"camera", frame.camera},
                    {"lookups", frame.lookups},
                    {"notes", frame.notes},
-                   {"warnings", frame.warnings}};
+                   {"warnings", frame.warnings},
+                   {"saved", frame.saved}};
     if (frame.frame) result["frame"] = *frame.frame;
     if (!frame.error.empty()) result["error"] = frame.error;
     for (const StepReport& step : frame.steps) result["steps"].push_back(step_to_json(step));
@@ -96,6 +97,7 @@ json report_to_json(const Report& report) {
             {"frames", frames},
             {"notes", report.notes},
             {"warnings", report.warnings},
+            {"saved", report.saved},
             {"seconds", object(report.seconds)}};
 }
 

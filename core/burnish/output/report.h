@@ -58,6 +58,7 @@ struct FrameReport {
     std::vector<PlanReport> plan;    // of each material under its lights, where the job has a target
     std::vector<StepReport> steps;   // progressive runs only; the other numbers are of the last step
     std::vector<std::string> notes, warnings;
+    std::vector<std::string> saved;  // what was not read or made, as nothing needed it
 };
 
 struct Report {
@@ -65,6 +66,7 @@ struct Report {
     std::string job;      // the job as a shot file, JSON text
     std::vector<FrameReport> frames;
     std::vector<std::string> notes, warnings;  // about light and materials
+    std::vector<std::string> saved;            // of the lights
     NamedValues<double> seconds;               // stages done once, and "total"
 
     size_t count(FrameStatus status) const;

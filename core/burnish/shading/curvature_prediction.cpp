@@ -14,6 +14,8 @@ namespace burnish {
 CurvaturePrediction::LobeProbes::LobeProbes(const LobeParameters& parameters, const Environment& light, int directions)
     : lobe(parameters), albedo(parameters) {
     if (TapTable::covers(lobe, directions)) table = fitted_table(lobe, directions, light.gaussian_stack());
+    const bool is_tabulated = table.tap_count() > 0;
+    stack = is_tabulated ? light.gaussian_stack().stack(table.level_ranges()) : light.gaussian_stack().stack();
 }
 
 CurvaturePrediction::CurvaturePrediction(const Material& material, const Environment& light, const DensitySettings& settings)
@@ -24,8 +26,7 @@ CurvaturePrediction::CurvaturePrediction(const Material& material, const Environ
         m_lobes.emplace_back(lobe, light, directions);
         albedo += m_lobes.back().albedo.typical();
     }
-    m_exposure =
-        kDisplayMean / std::max(albedo * luminance(light.gain()) * mean_luminance(light.gaussian_stack().stack()), 1e-20f);
+    m_exposure = kDisplayMean / std::max(albedo * luminance(light.gain()) * mean_luminance(light.gaussian_stack()), 1e-20f);
 }
 
 void CurvaturePrediction::predict(const SurfaceBatch& batch, std::span<AngularPrediction> out) const {
@@ -41,18 +42,17 @@ void CurvaturePrediction::predict(const SurfaceBatch& batch, std::span<AngularPr
 
 void CurvaturePrediction::add_light(const LobeProbes& probes, const SurfaceBatch& batch, std::span<Color3f> overlay,
                                     std::span<float> bend) const {
-    const GaussianStack& stack = m_light.gaussian_stack();
     if (probes.table.tap_count() > 0) {
         std::vector<float> lookups(batch.size());
-        return add_table_shading({{probes.lobe, probes.table, m_light.world_to_light()}, stack.stack(), 0, m_light.gain()},
+        return add_table_shading({{probes.lobe, probes.table, m_light.world_to_light()}, probes.stack, 0, m_light.gain()},
                                  batch, {overlay, lookups, bend, {}});
     }
     const float side = probes.lobe.side == Side::transmission ? -1.0f : 1.0f;
     for (size_t i = 0; i < batch.size(); ++i) {
         const ShadingPoint point = shading_point(batch, i, probes.lobe, m_light.world_to_light());
         const Vec3f wi = point.frame.to_world({-point.wo.x, -point.wo.y, point.wo.z * side});
-        const float level = stack.level(image_width({point.mx, point.my}, point.wo.z));
-        const std::array<float, 4> light = stack.stack().lookup_rgba(wi, level);
+        const float level = m_light.gaussian_stack().level(image_width({point.mx, point.my}, point.wo.z));
+        const std::array<float, 4> light = probes.stack.lookup_rgba(wi, level);
         const Color3f scale = point.scale * m_light.gain() * probes.albedo.typical();
         overlay[i] += scale * Color3f(light[0], light[1], light[2]);
         bend[i] += luminance(scale) * light[3];

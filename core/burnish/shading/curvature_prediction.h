@@ -24,7 +24,8 @@ private:
         LobeProbes(const LobeParameters& parameters, const Environment& light, int directions);
 
         LobeParameters lobe;
-        TapTable table;  // empty where anisotropy comes from a layer: one tap per pixel then
+        TapTable table;   // empty where anisotropy comes from a layer: one tap per pixel then
+        CubeStack stack;  // what the taps read
         AlbedoCurve albedo;
     };
 

@@ -32,8 +32,8 @@ struct MaterialShader::LobeShader {
     }
 
     void prepare_fitted() {
-        stack = light.gaussian_stack().stack();
         table = fitted_table(lobe, settings.samples, light.gaussian_stack());
+        stack = light.gaussian_stack().stack(table.level_ranges());
     }
 
     void prepare_split_sum() {
@@ -48,17 +48,26 @@ struct MaterialShader::LobeShader {
     }
 
     void prepare_rule() {
-        if (settings.kind == EstimatorKind::preconvolved)
-            stack = light.gaussian_stack().stack();
-        else
-            stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
         rule.emplace(lobe, settings, level_of());
         const int taps = rule->tap_count(lobe.mx, lobe.my);
-        if (!TapTable::covers(lobe, taps)) return;
-        if (settings.adaptive)
-            prepare_ladder(taps);
+        if (TapTable::covers(lobe, taps)) {
+            if (settings.adaptive)
+                prepare_ladder(taps);
+            else
+                table = TapTable(lobe, taps, *rule);
+        }
+        if (settings.kind == EstimatorKind::preconvolved)
+            stack = preconvolved_stack();
         else
-            table = TapTable(lobe, taps, *rule);
+            stack = light.pyramid().stack(), distortion = CubePyramid::kDistortion;
+    }
+
+    /// As far as the tables read it; whole where pixels make their own taps.
+    CubeStack preconvolved_stack() const {
+        const GaussianStack& whole = light.gaussian_stack();
+        std::vector<LevelRange> ranges = table.level_ranges();
+        for (const TapTable& rung : ladder.tables) std::ranges::copy(rung.level_ranges(), std::back_inserter(ranges));
+        return ranges.empty() ? whole.stack() : whole.stack(ranges);
     }
 
     /// For an adaptive `reference` or `preconvolved`: a few lookups of `regular` in the pyramid, whose fourth channel holds squares.

@@ -40,10 +40,13 @@ int face_size(const std::vector<RoundGaussian>& lobe, const GaussianStack& light
     float narrowest = 1;
     for (const RoundGaussian& gaussian : lobe)
         if (gaussian.share > 0.02f) narrowest = std::min(narrowest, gaussian.sigma);
-    return std::clamp(static_cast<int>(4 / narrowest), kSmallestFace, std::max(kSmallestFace, light.stack()[0].size()));
+    return std::clamp(static_cast<int>(4 / narrowest), kSmallestFace, std::max(kSmallestFace, light.size(0)));
 }
 
 void filter(const std::vector<RoundGaussian>& lobe, const GaussianStack& light, CubeLevel& level) {
+    std::vector<LevelRange> levels;
+    for (const RoundGaussian& gaussian : lobe) levels.push_back({light.level(gaussian.sigma), light.level(gaussian.sigma)});
+    const CubeStack& stack = light.stack(levels);
     const int size = level.size();
     for_each_index(6 * size, [&](int row) {
         for (int x = 0; x < size; ++x) {
@@ -51,8 +54,7 @@ void filter(const std::vector<RoundGaussian>& lobe, const GaussianStack& light, 
             const Vec3f d = cube_direction(row / size, (static_cast<float>(x) + 0.5f) * scale,
                                            (static_cast<float>(row % size) + 0.5f) * scale);
             Color3f sum(0);
-            for (const RoundGaussian& gaussian : lobe)
-                sum += light.stack().lookup(d, light.level(gaussian.sigma)) * gaussian.share;
+            for (size_t i = 0; i < lobe.size(); ++i) sum += stack.lookup(d, levels[i].finest) * lobe[i].share;
             float* texel = level.at(row / size, x, row % size);
             std::copy_n(&sum.x, 3, texel), texel[3] = 0;
         }

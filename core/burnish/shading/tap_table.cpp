@@ -99,6 +99,19 @@ void TapTable::set(int node, std::span<const Tap> taps) {
     }
 }
 
+std::vector<LevelRange> TapTable::level_ranges() const {
+    std::vector<LevelRange> ranges;
+    for (int tap = 0; tap < m_taps; ++tap) {
+        const float* at = &m_data[static_cast<size_t>(level * m_padded + tap)];
+        LevelRange& range = ranges.emplace_back(LevelRange{*at, *at});
+        for (int node = 1; node < node_count(); ++node) {
+            const float own = at[static_cast<size_t>(node) * node_floats()];
+            range = {std::min(range.finest, own), std::max(range.coarsest, own)};
+        }
+    }
+    return ranges;
+}
+
 float TapTable::measure(int axis, const ShadingPoint& point) const {
     const float x = point.wo.x * azimuth_stretch(), y = point.wo.y / azimuth_stretch();
     switch (axis) {

@@ -11,6 +11,7 @@
 // turns them into directions again, wi ~ 2 (wo . h) h - (h . h) wo, so mirror reflections stay sharp between nodes.
 #pragma once
 
+#include <burnish/light/filter/level_range.h>
 #include <burnish/material/parameters.h>
 #include <burnish/shading/shading_point.h>
 #include <burnish/shading/tap.h>
@@ -41,6 +42,9 @@ public:
     /// Where a node lies: wo, mx and my; the frame is the local one, ng = n, scale 1.
     ShadingPoint node_point(int node) const;
     void set(int node, std::span<const Tap> taps);
+
+    /// Of each tap, over the nodes and so over all that lies between them.
+    std::vector<LevelRange> level_ranges() const;
 
     /// The taps at a point (wo, mx, my), linear between nodes.
     void at(const ShadingPoint& point, std::span<Tap> taps) const;

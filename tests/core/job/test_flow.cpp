@@ -148,6 +148,30 @@ TEST_F(Flow, BandsDoNotShowUnderLightsThatAreNear) {
     }
 }
 
+/// Nothing but what a pixel needs is read or made, and the report says so; what is missing is told before the first frame.
+TEST_F(Flow, LightsThatNoPixelSeesAreNotLoaded) {
+    job.aovs = write_synthetic(scratch.file("in.exr"), {sphere_part(0.2f, 0)});
+    CubeMapSettings map;
+    map.file = job.environment;
+    job.lights["here"].kind = map;
+    map.centre = Vec3f(100, 0, 0), map.file = scratch.file("torn.exr");
+    fs::copy_file(job.environment, map.file);
+    fs::resize_file(map.file, fs::file_size(map.file) / 2);
+    job.lights["far"].kind = map;
+    const Report report = run_to("out", kNarrow);
+    EXPECT_EQ(report.saved.at(0), "2 of 3 lights loaded");
+    EXPECT_EQ(report.frames.at(0).saved, std::vector<std::string>{"10 of 19 channels decoded"});
+    EXPECT_TRUE(std::ranges::none_of(report.notes, [](const std::string& note) { return note.starts_with("far: "); }));
+    std::get<CubeMapSettings>(job.lights["far"].kind).file = scratch.file("none.exr");
+    try {
+        run_to("missing", kNarrow);
+        FAIL() << "went without the file";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::read_failed);
+        EXPECT_NE(std::string(error.what()).find("lights.far: "), std::string::npos) << error.what();
+    }
+}
+
 TEST_F(Flow, MirrorsOfASequenceAreReadFrameByFrame) {
     write_sequence(2);
     MirrorSettings mirror;

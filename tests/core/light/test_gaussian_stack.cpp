@@ -171,6 +171,58 @@ TEST(GaussianStack, IsTheSameForAnyThreadCount) {
     }
 }
 
+TEST(GaussianStack, MakesTheSameLevelsWhateverIsAskedForFirst) {
+    const auto faces = painted_faces(256, stripes);
+    const GaussianStack whole(faces), by_level(faces);
+    const CubeStack& all = whole.stack();
+    const auto expect_same = [&](float level) {
+        Directions random;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3f d = random.next();
+            const CubeStack& read = by_level.stack(std::array{LevelRange{level, level}});
+            ASSERT_EQ(read.lookup_rgba(d, level), all.lookup_rgba(d, level)) << level;
+        }
+    };
+    expect_same(by_level.last_level());
+    expect_same(12.5f);
+    EXPECT_FALSE(by_level.is_filtered(0) || by_level.is_filtered(1)) << "a wide level needs nothing of the fine ones";
+    for (const float level : {1.5f, 0.0f, 3.0f}) expect_same(level);
+    EXPECT_FALSE(by_level.is_filtered(8));
+    for (float level = 0.25f; level <= by_level.last_level(); ++level) expect_same(level);
+}
+
+TEST(GaussianStack, IsReadByAnyThreadWhileOthersAskForMore) {
+    const auto faces = painted_faces(64, stripes);
+    const GaussianStack whole(faces), shared(faces);
+    const CubeStack& all = whole.stack();
+    std::atomic<int> wrong = 0;
+    const auto read = [&](int first) {
+        for (int i = 0; i < shared.level_count(); ++i) {
+            const auto level = static_cast<float>((i * 5 + first) % shared.level_count());
+            const CubeStack& part = shared.stack(std::array{LevelRange{level, level}});
+            Directions random(static_cast<unsigned>(i));
+            for (int k = 0; k < 50; ++k)
+                if (const Vec3f d = random.next(); part.lookup(d, level) != all.lookup(d, level)) ++wrong;
+        }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) threads.emplace_back(read, 3 * i);
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0);
+}
+
+/// Sums over the shrunk map start afresh, so that what blurs of blurs miss is not passed on.
+TEST(GaussianStack, IsNearTheGaussianWhereItStartsAfresh) {
+    const int n = 256;
+    const GaussianStack stack(one_texel(n, n / 4, n / 8));
+    const Vec3f centre = cube_direction(2, (n / 4 + 0.5f) / n, (n / 8 + 0.5f) / n);
+    const float level = std::round(stack.level(0.0625f));
+    ASSERT_NEAR(stack.sigma(level), 0.0625, 1e-6);
+    const Response r = response(stack, centre, level);
+    EXPECT_LT(r.error, 0.06);  // 0.04 of it as the texel lies off the middle of the shrunk map's
+    EXPECT_NEAR(r.energy, 1.0, 0.01);
+}
+
 TEST(GaussianStack, TakesFacesOfAnySize) {
     for (const int size : {1, 2, 3, 4, 7, 8, 16, 20}) {
         const GaussianStack stack(constant_faces(size, {1, 2, 3}));

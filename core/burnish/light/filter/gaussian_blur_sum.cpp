@@ -1,9 +1,10 @@
-// Sums over the texels under a Gaussian. Small caps weigh their texels once for the six faces and for the four mirror images
-// of a place on each; what lies beyond an edge is unfolded around the face.
+// Sums over the texels under a Gaussian. Caps weigh their texels once for the six faces and for the four mirror images
+// of a place on each; what lies beyond an edge of a small one is unfolded around the face.
 #include <burnish/base/parallel.h>
 #include <burnish/light/filter/gaussian_blur.h>
 #include <burnish/light/filter/gaussian_cap.h>
 #include <burnish/light/filter/six_face_sum.h>
+#include <burnish/light/filter/sphere_sum.h>
 
 #include <numeric>
 
@@ -127,34 +128,32 @@ private:
     std::vector<Beyond> m_beyond;
 };
 
-/// Any cap, over all texels of the cube.
-void sum_everywhere(const CubeLevel& source, const GaussianCap& cap, const Vec3f& world, std::span<const float> cosines,
-                    float* out) {
-    const int n = source.size();
-    std::vector<float> weights(n);
-    float sum[4] = {0, 0, 0, 0}, total = 0;
-    for (int face = 0; face < 6; ++face) {
-        const Vec3f d = cube_to_face(face, world);
-        for (int y = 0; y < n; ++y) {
-            cap.weigh(d, y, {0, n - 1}, cosines, weights.data());
-            const float* texel = source.at(face, 0, y);
-            for (int x = 0; x < n; ++x, texel += 4) {
-                for (int k = 0; k < 4; ++k) sum[k] += weights[x] * texel[k];
-                total += weights[x];
-            }
-        }
-    }
-    for (int k = 0; k < 4; ++k) out[k] = sum[k] / total;
-}
+/// A place on each face and its mirror images.
+constexpr Mirror kMirrors[] = {{false, false}, {true, false}, {false, true}, {true, true}};
 
 void blur_place(const Footprint& footprint, int x, int y, CubeLevel& target) {
     const int last = target.size() - 1;
-    for (const Mirror mirror : {Mirror{false, false}, Mirror{true, false}, Mirror{false, true}, Mirror{true, true}}) {
+    for (const Mirror mirror : kMirrors) {
         SixTexels total = {};
         footprint.sum(mirror, total);
         for (int face = 0; face < 6; ++face)
             std::copy_n(total[face], 4, target.at(face, mirror.x ? last - x : x, mirror.y ? last - y : y));
     }
+}
+
+std::vector<CubeImage> all_images(const CubeLevel& source) {
+    std::vector<CubeImage> images;
+    for (const Mirror mirror : kMirrors)
+        for (int face = 0; face < 6; ++face) images.emplace_back(source, face, mirror.x, mirror.y);
+    return images;
+}
+
+/// By all texels of the cube. `images`: all_images of the source.
+void blur_place(const SphereSum& weights, std::span<const CubeImage> images, int x, int y, CubeLevel& target) {
+    const int last = target.size() - 1;
+    for (const Mirror mirror : kMirrors)
+        for (int face = 0; face < 6; ++face, images = images.subspan(1))
+            weights.mean(images[0], target.at(face, mirror.x ? last - x : x, mirror.y ? last - y : y));
 }
 
 }  // namespace
@@ -163,21 +162,19 @@ void blur_by_sum(const CubeLevel& source, const GaussianBlur& blur, CubeLevel& t
     const int n = target.size(), half = (n + 1) / 2;
     const std::vector<float> cosines = texel_cosines(source.size());
     const Unfolding unfolding(source);
+    const std::vector<CubeImage> images = all_images(source);
     for_each_index(half, [&](int y) {
         Footprint footprint(source, unfolding, cosines);
+        SphereSum sphere(source, cosines);
         for (int x = 0; x < half; ++x) {
             const Vec3f place = face_place(x, y, n), d = place.normalized();
             const GaussianCap cap(blur.kernel_versine(1.0 / place.length2(), n), source.size());
             if (cap.small()) {
                 footprint.fill(cap, d);
                 blur_place(footprint, x, y, target);
-                continue;
-            }
-            for (int face = 0; face < 6; ++face) {
-                for (const Vec3f& m : {d, Vec3f(d.x, -d.y, d.z), Vec3f(d.x, d.y, -d.z), Vec3f(d.x, -d.y, -d.z)}) {
-                    float* out = target.at(face, m.y == d.y ? x : n - 1 - x, m.z == d.z ? y : n - 1 - y);
-                    sum_everywhere(source, cap, face_to_cube(face, m), cosines, out);
-                }
+            } else {
+                sphere.fill(cap, d);
+                blur_place(sphere, images, x, y, target);
             }
         }
     });

@@ -1,100 +1,133 @@
 #include <burnish/light/filter/gaussian_stack.h>
 
 #include <burnish/base/error.h>
+#include <burnish/light/filter/cube_resample.h>
 #include <burnish/light/filter/gaussian_blur.h>
 #include <burnish/light/filter/light_curvature.h>
 
-#include <algorithm>
-#include <numbers>
+#include <atomic>
+#include <mutex>
 #include <string>
 
 namespace burnish {
 namespace {
 
-constexpr double kTexelPerSigma[] = {0.75, 0.5};                      // at a face's centre, of fine and of dense levels
-constexpr double kStep[] = {std::numbers::sqrt2, 1.189207115002721};  // from one width to the next: 2^(1/2) and 2^(1/4)
-constexpr double kDenseSigma =
-    0.028;                         // from here on levels are small, so they can be dense: blends of two are then true Gaussians
-constexpr double kTapRatio = 1.5;  // a level comes by taps from one that is at most so much narrower, and at least kStep[1]
-constexpr double kWidestSigma = 0.99;  // the last level is the first beyond this
-constexpr double kSumSigma = 0.35;     // from here on, a Gaussian of a Gaussian is no Gaussian: sums over a much finer level
-constexpr double kTooWideSigma = 1.5;
-constexpr double kSumRatio = 2.8;  // by sums, from one that is at least so much narrower
-constexpr int kSmallestSize = 16;
+using Faces = std::shared_ptr<const std::array<Image, 6>>;
 
-void check_faces(const std::array<Image, 6>& faces) {
-    const int size = faces[0].width;
-    for (const Image& face : faces) {
+const Faces& checked(const Faces& faces) {
+    const int size = (*faces)[0].width;
+    for (const Image& face : *faces) {
         if (size > 0 && face.width == size && face.height == size && face.channels >= 3) continue;
         throw Error(ErrorCode::bad_argument, "cube map: expected six square RGB faces of one size, found one of " +
                                                  std::to_string(face.width) + " x " + std::to_string(face.height) + " x " +
                                                  std::to_string(face.channels) + ". Resample the faces first.");
     }
+    return faces;
 }
 
-double texel_width(int size) { return 2.0 / size; }
+double texel_square(int size) { return 4.0 / (static_cast<double>(size) * size); }
 
-/// A level to be made.
-struct Planned {
-    int size;
-    double sigma, versine;  // of its lookups
-};
-
-/// Level 0 is the map: texel areas and the tent, over the whole sphere.
-Planned planned_map(int size) {
-    const double versine = 0.25 * texel_width(size) * texel_width(size) * kMeanTexelMetric;
-    return {size, sigma_of_versine(versine), versine};
-}
-
-std::vector<Planned> planned_levels(int map_size) {
-    std::vector<Planned> levels = {planned_map(map_size)};
-    double sigma = texel_width(map_size);
-    while (levels.back().sigma < kWidestSigma && sigma < kTooWideSigma) {
-        const bool dense = sigma >= kDenseSigma;
-        const int fitting =
-            levels.size() == 1 ? map_size : 2 * static_cast<int>(std::ceil(1.0 / (kTexelPerSigma[dense] * sigma)));
-        levels.push_back({std::max(kSmallestSize, fitting), sigma, versine_of_sigma(sigma)});
-        sigma *= kStep[dense];
-    }
-    return levels;
-}
-
-/// The last level at least `ratio` narrower than level k; the map if there is none.
-int narrower(const std::vector<Planned>& levels, int k, double ratio) {
-    int from = k - 1;
-    while (from > 0 && levels[from].sigma * ratio > levels[k].sigma) --from;
-    return from;
-}
-
-void make_level(const std::vector<Planned>& levels, int k, CubeStack& stack) {
-    const double target = levels[k].versine;
-    if (k > 2 && levels[k].sigma < kSumSigma) {
-        const int from = levels[k].sigma <= kTapRatio * levels[k - 2].sigma ? k - 2 : k - 1;
-        return blur_by_taps(stack[from], {target, levels[from].versine, 0.0}, stack[k]);
-    }
-    const int from = k == 2 ? 1 : narrower(levels, k, kSumRatio);
-    const double width2 = texel_width(levels[from].size) * texel_width(levels[from].size);
-    if (from == 0) return blur_by_sum(stack[0], {target, 0.0, width2 / 12.0}, stack[k]);
-    const double tent = width2 / 6.0 * kMeanTexelMetric;  // part of lookups, not of texel values
-    blur_by_sum(stack[from], {target, 1.0 - (1.0 - levels[from].versine) / (1.0 - tent), 0.0}, stack[k]);
+std::vector<int> sizes_of(const std::vector<GaussianLevel>& levels) {
+    std::vector<int> sizes;
+    for (const GaussianLevel& level : levels) sizes.push_back(level.size);
+    return sizes;
 }
 
 }  // namespace
 
-GaussianStack::GaussianStack(const std::array<Image, 6>& faces) {
-    check_faces(faces);
-    const std::vector<Planned> levels = planned_levels(faces[0].width);
-    std::vector<int> sizes;
-    for (const Planned& level : levels) {
-        sizes.push_back(level.size);
-        m_versines.push_back(static_cast<float>(level.versine));
+/// Filters levels, each with what it comes from, when they are first asked for. Who was given a level reads it without a lock:
+/// it is never written again.
+class GaussianStack::Maker {
+public:
+    Maker(Faces faces, const std::vector<GaussianLevel>& levels)
+        : m_faces(std::move(faces)), m_levels(levels), m_has_light(levels.size()), m_is_done(levels.size()) {}
+
+    const CubeStack& make(std::span<const LevelRange> ranges) {
+        if (is_whole()) return m_stack;
+        const std::lock_guard lock(m_making);
+        if (m_stack.level_count() == 0) m_stack = CubeStack(sizes_of(m_levels));
+        for (const LevelRange& range : ranges)
+            for (int k = first_read(range.finest); k <= last_read(range.coarsest); ++k) finish(k);
+        m_is_whole.store(std::ranges::all_of(m_is_done, std::identity()), std::memory_order_release);
+        return m_stack;
     }
-    m_stack = CubeStack(sizes);
-    m_stack[0].fill(faces);
-    for (int k = 1; k < m_stack.level_count(); ++k) make_level(levels, k, m_stack);
-    for (int k = 0; k < m_stack.level_count(); ++k) set_curvature(static_cast<float>(levels[k].sigma), m_stack[k]);
+
+    bool is_whole() const { return m_is_whole.load(std::memory_order_acquire); }
+
+    bool is_filtered(int k) {
+        const std::lock_guard lock(m_making);
+        return m_has_light[k];
+    }
+
+private:
+    // At a whole level kernels also read one of its neighbours, with no weight.
+    static constexpr float kRounding = 0.01f;
+    int first_read(float level) const { return clamped(std::ceil(level - kRounding) - 1); }
+    int last_read(float level) const { return clamped(std::floor(level + kRounding) + 1); }
+    int clamped(float level) const {
+        return static_cast<int>(std::clamp(level, 0.0f, static_cast<float>(m_levels.size() - 1)));
+    }
+
+    void finish(int k) {
+        if (m_is_done[k]) return;
+        add_light(k);
+        set_curvature(static_cast<float>(m_levels[k].sigma), m_stack[k]);
+        m_is_done[k] = true;
+    }
+
+    void add_light(int k) {
+        if (m_has_light[k]) return;
+        const GaussianLevel& level = m_levels[k];
+        if (k == 0)
+            m_stack[0].fill(*m_faces);
+        else if (level.source == GaussianLevel::Source::map)
+            sum_over_map(level, m_stack[k]);
+        else
+            blur_level(level, m_stack[k]);
+        m_has_light[k] = true;
+    }
+
+    void sum_over_map(const GaussianLevel& level, CubeLevel& target) {
+        const int size = m_levels[0].size >> level.halvings;
+        const GaussianBlur blur{level.versine, 0.0, texel_square(size) / 12.0};
+        if (level.halvings > 0) return blur_by_sum(CubeLevel(resized_cube(*m_faces, size)), blur, target);
+        add_light(0);
+        blur_by_sum(m_stack[0], blur, target);
+    }
+
+    void blur_level(const GaussianLevel& level, CubeLevel& target) {
+        const GaussianLevel& from = m_levels[level.from];
+        add_light(level.from);
+        if (level.source == GaussianLevel::Source::taps)
+            return blur_by_taps(m_stack[level.from], {level.versine, from.versine, 0.0}, target);
+        const double tent = texel_square(from.size) / 6.0 * kMeanTexelMetric;  // part of lookups, not of texel values
+        blur_by_sum(m_stack[level.from], {level.versine, 1.0 - (1.0 - from.versine) / (1.0 - tent), 0.0}, target);
+    }
+
+    const Faces m_faces;
+    const std::vector<GaussianLevel> m_levels;
+    std::mutex m_making;
+    std::vector<bool> m_has_light, m_is_done;  // without and with the fourth channel
+    std::atomic<bool> m_is_whole = false;
+    CubeStack m_stack;
+};
+
+GaussianStack::GaussianStack(Faces faces)
+    : m_levels(gaussian_levels((*checked(faces))[0].width)), m_maker(std::make_shared<Maker>(faces, m_levels)) {
+    for (const GaussianLevel& level : m_levels) m_versines.push_back(static_cast<float>(level.versine));
     set_level_steps();
 }
+
+GaussianStack::GaussianStack(std::array<Image, 6> faces)
+    : GaussianStack(std::make_shared<const std::array<Image, 6>>(std::move(faces))) {}
+
+const CubeStack& GaussianStack::stack() const { return stack(std::array{LevelRange{0, last_level()}}); }
+
+const CubeStack& GaussianStack::stack(std::span<const LevelRange> ranges) const { return m_maker->make(ranges); }
+
+bool GaussianStack::is_filtered(int level) const { return m_maker->is_filtered(level); }
+
+bool GaussianStack::is_whole() const { return m_maker->is_whole(); }
 
 float GaussianStack::level(float sigma) const {
     if (!(sigma > 0.0f) || m_versines.size() < 2) return 0.0f;
@@ -115,7 +148,7 @@ void GaussianStack::set_level_steps() {
 }
 
 float GaussianStack::sigma(float level) const {
-    const int last = m_stack.level_count() - 1, k = std::clamp(static_cast<int>(level), 0, std::max(0, last - 1));
+    const int last = level_count() - 1, k = std::clamp(static_cast<int>(level), 0, std::max(0, last - 1));
     const float blend = std::clamp(level - static_cast<float>(k), 0.0f, 1.0f), next = m_versines[std::min(k + 1, last)];
     return static_cast<float>(sigma_of_versine(m_versines[k] + blend * (next - m_versines[k])));
 }

@@ -1,20 +1,19 @@
 // Distant light convolved with spherical Gaussians exp((cos - 1) / sigma^2) of every width: one trilinear lookup reads one.
 //
-// Level 0 is the map as it is. From level 1 on the widths grow by sqrt(2), and from 1.6 degrees on, where levels are small, by its
-// root, so that a blend of two is as good as a Gaussian. A texel at a face's centre is no wider than 3/4 sigma, then 1/2
-// (sigma on level 1, the first that the map can hold). A level's width is that of its lookups: the texels' own area, the
-// kernels and the bilinear tent together, as a mean versine (gaussian_width.h), which a blend of two levels keeps. Levels 1 and
-// 2 are sums over texels, the next ones come from one sqrt(2) narrower by a few lookups a texel, and those wider than 1/3 are
-// sums over a level of a third of the width: there a Gaussian of a Gaussian is no Gaussian any more.
-//
-// The fourth channel of the levels bounds how sharply their light bends, see light_curvature.h.
+// gaussian_levels.h says which widths its levels have. They are filtered when somebody asks for them, so a rough material never
+// pays for fine levels; a level's texels are the same bits whatever was asked for before. The fourth channel of the levels bounds
+// how sharply their light bends, see light_curvature.h.
 #pragma once
 
 #include <burnish/light/filter/cube_stack.h>
+#include <burnish/light/filter/gaussian_levels.h>
+#include <burnish/light/filter/level_range.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace burnish {
@@ -23,9 +22,22 @@ class GaussianStack {
 public:
     GaussianStack() = default;
     /// From six square RGB faces of one size. Throws Error(bad_argument).
-    explicit GaussianStack(const std::array<Image, 6>& faces);
+    explicit GaussianStack(std::shared_ptr<const std::array<Image, 6>> faces);
+    explicit GaussianStack(std::array<Image, 6> faces);
 
-    const CubeStack& stack() const { return m_stack; }
+    /// All levels, filtered. Any thread may call this and the next.
+    const CubeStack& stack() const;
+    /// What lookups in these ranges read, kernels' neighbouring levels included; levels that nobody has asked for are not set.
+    const CubeStack& stack(std::span<const LevelRange> ranges) const;
+    const CubeStack& widest() const { return stack(std::array{LevelRange{last_level(), last_level()}}); }
+
+    int level_count() const { return static_cast<int>(m_levels.size()); }
+    float last_level() const { return static_cast<float>(level_count() - 1); }
+    /// Texels a side of a level's faces.
+    int size(int level) const { return m_levels[level].size; }
+    /// Whether somebody needed the level so far.
+    bool is_filtered(int level) const;
+    bool is_whole() const;
 
     /// The level whose lookups are the light convolved with a Gaussian of `sigma` (radian), clamped to the stack: k + f
     /// between levels k and k + 1, f linear in the mean versine (sigma^2 where it is small).
@@ -42,6 +54,7 @@ public:
     float sigma(float level) const;
 
 private:
+    class Maker;  // the levels' texels
     /// Levels by the square of the width, whose octaves are cut in 32 equal parts.
     struct LevelStep {
         float level, slope;
@@ -50,9 +63,10 @@ private:
     static constexpr int kStepBits = 18;
     void set_level_steps();
 
-    CubeStack m_stack;
+    std::vector<GaussianLevel> m_levels;
     std::vector<LevelStep> m_level_steps;
     std::vector<float> m_versines;  // of the levels' lookups
+    std::shared_ptr<Maker> m_maker;
 };
 
 }  // namespace burnish
