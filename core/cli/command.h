@@ -22,5 +22,6 @@ Run add_bake(CLI::App& app);
 Run add_fit(CLI::App& app);
 Run add_tabulate(CLI::App& app);
 Run add_preview(CLI::App& app);
+Run add_calibrate(CLI::App& app);
 
 }  // namespace burnish::cli

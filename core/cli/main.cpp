@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
     commands["fit"] = cli::add_fit(app);
     commands["tabulate"] = cli::add_tabulate(app);
     commands["preview"] = cli::add_preview(app);
+    commands["calibrate"] = cli::add_calibrate(app);
 
     if (argc > 1 && argv[1][0] != '-' && commands.count(argv[1]) == 0)
         return run_guarded([&] { return cli::run_external(argv + 1, commands); });

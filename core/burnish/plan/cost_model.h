@@ -3,41 +3,22 @@
 // The constants come from `burnish calibrate`, which writes them to the user's folder, or else from a typical two-core machine. Costs are
 // seconds by the clock with all cores of the machine that was calibrated, whatever the job's own number of threads: the same job has the
 // same plan everywhere the same calibration is used.
+//
+//     a frame = (filtered light, unless it is there + tables of each lobe) / frames + shading
+//
+//     table of `regular`, `filtered_importance`   evaluations of the model, for its albedo; then nodes * lookups
+//     table of `fitted`                           fits * (evaluations of the model + lookups^1.4)
+//     dense shading                               lobes * pixels * (pixel + lookups * lookup + suns * sun)
+//     sparse shading                              a share of that, a fixed cost per pixel, and probes as dear as four fitted lookups
 #pragma once
 
 #include <burnish/material/parameters.h>
 #include <burnish/plan/configuration.h>
-#include <burnish/sampling/density.h>
-
-#include <nlohmann/json_fwd.hpp>
+#include <burnish/plan/machine_costs.h>
 
 #include <cstddef>
-#include <filesystem>
-#include <string>
 
 namespace burnish {
-
-/// Seconds each, all cores at work.
-struct MachineCosts {
-    std::string machine;  // what was calibrated, for people
-    int cores = 2;
-    double pyramid_texel = 0, stack_texel = 0;       // to filter light: per texel of the six faces
-    double table_lookup = 0, fitted_lookup = 0;      // to make a table: per node and lookup, for a model as cheap as GGX
-    double pixel = 0, lookup = 0, stack_lookup = 0;  // dense shading: per lobe and pixel, and per lookup there
-    double sparse_pixel = 0;                         // sparse shading: per pixel of the frame, whatever is shaded
-    double reference_lookup = 0;                     // of `reference`, per lookup and pixel
-    double near_ray = 0;                             // a lookup under lights that are near, in place of `lookup`
-};
-
-/// Those of this user's calibration file, or the shipped ones. Read once a process. Throws Error(read_failed) for a broken file.
-const MachineCosts& machine_costs();
-/// $BURNISH_COSTS, or burnish/costs.json in the user's cache folder.
-std::filesystem::path costs_file();
-MachineCosts costs_from_json(const nlohmann::json& document, const std::string& where);
-nlohmann::json costs_to_json(const MachineCosts& costs);
-
-/// Measures the constants on this machine; some seconds.
-MachineCosts measure_costs();
 
 /// What the costs of a material depend on.
 struct CostCase {
@@ -47,12 +28,28 @@ struct CostCase {
     bool is_near = false;      // any light but the environment alone
     bool has_pyramid = false;  // the light is filtered already: of no further cost
     bool has_stack = false;
-    int frames = 1;  // that share light and tables
+    int frames = 1;           // that share light and tables
+    int suns = 0;             // discs of the environment, shaded apart
+    double sparse_share = 0;  // of the pixels, what sparse shading at safety 1 shades; 0: not known, a typical one
 };
 
-/// Seconds of the clock a frame: its share of light and tables, and its shading. `safety` <= 0: dense.
+/// Parts of a frame's cost, seconds by the clock.
+struct PredictedCost {
+    double light = 0, tables = 0, shading = 0;
+
+    double total() const { return light + tables + shading; }
+};
+
+/// Light and tables as the frame's share of them. `safety` <= 0: dense.
+PredictedCost predicted_cost(const MachineCosts& machine, const Material& material, const Configuration& configuration,
+                             float safety, const CostCase& of);
+
+/// Its total.
 double predicted_seconds(const MachineCosts& machine, const Material& material, const Configuration& configuration,
                          float safety, const CostCase& of);
+
+/// Of a material's pixels, those that sparse shading shades: a typical share at safety 1 if `at_one` is 0.
+double sparse_share(float safety, double at_one = 0);
 
 /// Seconds that `reference` takes for so many lookups.
 double reference_seconds(const MachineCosts& machine, double lookups);

@@ -10,20 +10,31 @@ namespace {
 
 constexpr float kMaxRatio = 4.0f;  // beyond it the estimate holds no information worth scaling up
 
+/// For each of so many nodes: a second of work on one core at the most.
+int samples_at(int nodes) { return nodes > 10000 ? 512 : 2048; }
+
 }  // namespace
 
-AlbedoRatio::AlbedoRatio(const LobeParameters& lobe, const Estimate& estimate) {
+std::array<AlbedoRatio::Axis, AlbedoRatio::kAxes> AlbedoRatio::axes_of(const LobeParameters& lobe) {
     const bool varying_aspect = lobe.per_pixel.anisotropy, varying_width = lobe.per_pixel.roughness;
     const bool anisotropic = varying_aspect || lobe.mx != lobe.my;
     const float width = std::log2(std::sqrt(lobe.mx * lobe.my)), aspect = std::log2(lobe.mx / lobe.my);
-    m_axes[0] = {0.1f, 1.0f, 61};
-    m_axes[1] = anisotropic ? Axis{0, kPi / 2, 10} : Axis{0, 0, 1};
-    m_axes[2] = varying_width ? Axis{-8, 0, 17} : Axis{width, width, 1};
-    m_axes[3] = varying_aspect ? Axis{-6, 6, 13} : Axis{aspect, aspect, 1};
+    return {Axis{0.1f, 1.0f, 61}, anisotropic ? Axis{0, kPi / 2, 10} : Axis{0, 0, 1},
+            varying_width ? Axis{-8, 0, 17} : Axis{width, width, 1},
+            varying_aspect ? Axis{-6, 6, 13} : Axis{aspect, aspect, 1}};
+}
+
+int AlbedoRatio::evaluations(const LobeParameters& lobe) {
+    int count = 1;
+    for (const Axis& axis : axes_of(lobe)) count *= axis.count;
+    return count * samples_at(count);
+}
+
+AlbedoRatio::AlbedoRatio(const LobeParameters& lobe, const Estimate& estimate) : m_axes(axes_of(lobe)) {
     int count = 1;
     for (const Axis& axis : m_axes) count *= axis.count;
     m_ratio.resize(count);
-    const int samples = count > 10000 ? 512 : 2048;  // a second of work on one core at the most
+    const int samples = samples_at(count);
     for_each_index(count, [&](int index) {
         std::array<int, kAxes> node{};
         for (int axis = 0, rest = index; axis < kAxes; rest /= m_axes[axis].count, ++axis)

@@ -20,6 +20,8 @@ public:
     /// An empty table: the ratio is 1.
     AlbedoRatio() = default;
     AlbedoRatio(const LobeParameters& lobe, const Estimate& estimate);
+    /// Times that making the table of this lobe evaluates it.
+    static int evaluations(const LobeParameters& lobe);
 
     /// Factor for the estimate at `point`, linear between nodes.
     float at(const ShadingPoint& point) const;
@@ -32,6 +34,7 @@ private:
         float node(int i) const { return count > 1 ? low + (high - low) * i / (count - 1) : low; }
     };
     static constexpr int kAxes = 4;  // sqrt(cos theta_o), phi_o, log2 of mean width, log2 of mx/my
+    static std::array<Axis, kAxes> axes_of(const LobeParameters& lobe);
 
     std::array<float, kAxes> coordinates(const ShadingPoint& point) const;
     ShadingPoint point_at(const std::array<int, kAxes>& node) const;

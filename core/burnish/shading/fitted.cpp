@@ -151,6 +151,14 @@ EstimatorSettings settled(const LobeParameters& lobe, EstimatorSettings settings
     return settings;
 }
 
+int fit_count(const LobeParameters& lobe) {
+    const std::array<TapTable::Axis, TapTable::kAxes> axes = TapTable::axes_of(lobe);
+    std::array<int, TapTable::kAxes> fits{};
+    for (size_t a = 0; a < axes.size(); ++a) fits[a] = FittedNodes(axes[a], kFitEvery[a]).count();
+    const int paths = fits[1] * fits[2];
+    return fits[0] * (paths == 1 ? kPathStarts : paths);
+}
+
 TapTable fitted_table(const LobeParameters& lobe, int taps, const std::function<float(float sigma)>& level_of) {
     TapTable table(lobe, taps);
     const TableFit fit(lobe, table);

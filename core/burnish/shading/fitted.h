@@ -26,6 +26,9 @@ EstimatorSettings settled(const LobeParameters& lobe, EstimatorSettings settings
 /// called in the table.
 TapTable fitted_table(const LobeParameters& lobe, int taps, const std::function<float(float sigma)>& level_of);
 
+/// How many fits of one view fitted_table makes for a lobe.
+int fit_count(const LobeParameters& lobe);
+
 /// With the levels of a stack.
 inline TapTable fitted_table(const LobeParameters& lobe, int taps, const GaussianStack& light) {
     return fitted_table(lobe, taps, [&](float sigma) { return light.level(sigma); });

@@ -13,7 +13,7 @@ constexpr int kFirstSteps = 60, kNextSteps = 12;
 struct Start {
     float reach, spread;  // of line_probes
 };
-constexpr Start kStarts[] = {{1.4f, 1.0f}, {2.0f, 1.0f}, {1.2f, 2.5f}, {1.0f, 1.0f}, {1.7f, 1.6f}};
+constexpr Start kStarts[kPathStarts] = {{1.4f, 1.0f}, {2.0f, 1.0f}, {1.2f, 2.5f}, {1.0f, 1.0f}, {1.7f, 1.6f}};
 
 }  // namespace
 

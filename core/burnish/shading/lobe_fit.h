@@ -22,6 +22,9 @@ std::vector<GaussianTaps> fit_path(const LobeParameters& lobe, std::span<const V
 /// Tap by tap, `part` of the way from a to b.
 GaussianTaps blend(const GaussianTaps& a, const GaussianTaps& b, float part);
 
+/// Paths that fit_best_path tries.
+inline constexpr int kPathStarts = 5;
+
 /// fit_path from each of the starts that fit_view knows; the one whose taps, interpolated half way between the views, are nearest
 /// to the lobe. What looks best from one view may jump at another.
 std::vector<GaussianTaps> fit_best_path(const LobeParameters& lobe, std::span<const Vec3f> views, bool in_plane, size_t anchor,

@@ -60,8 +60,6 @@ TapTable::TapTable(const LobeParameters& lobe, int taps, const Rule& rule) : Tap
     });
 }
 
-int TapTable::node_count() const { return m_axes[2].stride * m_axes[2].count; }
-
 ShadingPoint TapTable::node_point(int node) const {
     const auto measure = [&](int a) {
         const Axis& axis = m_axes[a];

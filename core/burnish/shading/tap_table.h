@@ -38,7 +38,7 @@ public:
     TapTable(const LobeParameters& lobe, int taps, const Rule& rule);
 
     int tap_count() const { return m_taps; }
-    int node_count() const;
+    int node_count() const { return node_count(m_axes); }
     /// Where a node lies: wo, mx and my; the frame is the local one, ng = n, scale 1.
     ShadingPoint node_point(int node) const;
     void set(int node, std::span<const Tap> taps);
@@ -63,6 +63,8 @@ public:
     };
     static constexpr int kAxes = 3, kLanes = 8;
     const std::array<Axis, kAxes>& axes() const { return m_axes; }
+    static std::array<Axis, kAxes> axes_of(const LobeParameters& lobe);
+    static int node_count(const std::array<Axis, kAxes>& axes) { return axes[2].stride * axes[2].count; }
     /// The lobe's own width, sqrt(mx my).
     float width() const { return m_width; }
     /// Of the azimuth's measure: x is multiplied by it, y divided.
@@ -70,7 +72,6 @@ public:
     float side_sign() const { return m_side_sign; }
 
 private:
-    static std::array<Axis, kAxes> axes_of(const LobeParameters& lobe);
     static int padded(int taps) { return (taps + kLanes - 1) / kLanes * kLanes; }
     float measure(int axis, const ShadingPoint& point) const;
 
