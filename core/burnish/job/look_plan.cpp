@@ -16,7 +16,9 @@ CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
     of.pixels = frame.surfaces().rule_counts()[index];
     of.frame_pixels = frame.assignment().rule.size();
     of.is_near = !look.rig.is_distant(frame.looks()[index].chain);
-    if (const Environment* environment = look.rig.environment())
+    const Environment* environment = look.rig.environment();
+    if (environment && !of.is_near) of.suns = static_cast<int>(environment->discs().size());
+    if (environment)
         of.face_texels = 6 * static_cast<size_t>(environment->face_size()) * static_cast<size_t>(environment->face_size());
     of.frames = look.frames;
     return of;

@@ -64,6 +64,8 @@ Gains interpolated(const Curve<Value>& curve, float x, At&& at) {
     return blend(at(below->second), at(above->second), std::log(x / below->first) / std::log(above->first / below->first));
 }
 
+size_t tabulated_count() { return error_table().gains.begin()->second.begin()->second.begin()->second.size(); }
+
 size_t place_of(const Configuration& configuration) {
     const auto& all = configurations();
     return static_cast<size_t>(std::ranges::find(all, configuration) - all.begin());
@@ -74,6 +76,11 @@ size_t place_of(const Configuration& configuration) {
 PredictedGain predicted_gain(const LobeParameters& lobe, const Configuration& configuration) {
     const size_t place = place_of(configuration);
     if (place == configurations().size()) return {};
+    if (place >= tabulated_count()) {  // more samples than were measured: errors fall as their number's root
+        PredictedGain fewer = predicted_gain(lobe, configurations()[place - 1]);
+        fewer.mean += 10 * std::log10(static_cast<float>(configuration.samples) / configurations()[place - 1].samples);
+        return fewer;
+    }
     const LobeTail tail =
         visit_lobe(lobe, [](const auto& model) { return lobe_tail([&](float xi) { return model.border(xi); }); });
     const float m = std::sqrt(lobe.mx * lobe.my), aspect = std::max(lobe.mx / lobe.my, lobe.my / lobe.mx);
