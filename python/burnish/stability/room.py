@@ -7,6 +7,7 @@ reflection: an integral over rays drawn from the lobe that uses nothing of the l
 from __future__ import annotations
 
 import dataclasses
+import importlib.util
 import pathlib
 
 import numpy as np
@@ -104,6 +105,8 @@ def pinhole(camera, width, height):
 
 def write_exr(file, names, pixels):
     """Channels in the order given, as float."""
+    if importlib.util.find_spec("OpenImageIO") is None:
+        raise WriteFailed("OpenImageIO is not installed; apt install python3-openimageio, or pip install openimageio")
     import OpenImageIO
 
     pixels = np.ascontiguousarray(pixels, np.float32)
