@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-constexpr size_t kFewestPixels = 96, kMostPixels = 400;  // of a material that are checked
+constexpr size_t kFewestPixels = 64, kMostPixels = 400;  // of a material that are checked
 constexpr float kEveryPixel = 100;                       // safety that leaves nothing to interpolate but what is flat
 
 CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
@@ -28,9 +28,12 @@ CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
 size_t pixels_to_check(const Look& look, const LitFrame& frame, const QualityTarget& target) {
     constexpr double kShare = 0.1, kLookupsAPixel = 1500, kUsualTolerance = 0.037;
     double seconds = 0;
-    for (size_t i = 0; i < frame.looks().size(); ++i)
+    for (size_t i = 0; i < frame.looks().size(); ++i) {
+        CostCase of = cost_case(look, frame, i);
+        of.has_stack = of.has_pyramid = i > 0;  // filtered once
         seconds += predicted_seconds(machine_costs(), look.wardrobe.materials[frame.looks()[i].rule],
-                                     {EstimatorKind::fitted, 6}, 0, cost_case(look, frame, i));
+                                     {EstimatorKind::fitted, 6}, 0, of);
+    }
     const double lookups = kLookupsAPixel * std::pow(kUsualTolerance / truth_tolerance(target), 4.0 / 3);
     const double pixels = kShare * seconds / reference_seconds(machine_costs(), lookups);
     const double each = pixels / static_cast<double>(std::max<size_t>(1, frame.looks().size()));
@@ -58,7 +61,7 @@ std::vector<ShadingSettings> LookPlan::plan(const Look& look, const LitFrame& fr
             return equip_shader(look, frame.looks()[i], {settings, {}, {}});
         };
         const MaterialShader one = shader(with(look.shading.estimator, kProbe)),
-                             other = shader(with(look.shading.estimator, kOtherProbe));
+                             other = shader(other_probe(look.shading.estimator));
         CheckSample sample = check_sample(frame.surfaces(), frame.assignment(), static_cast<int>(i), count, {one, other});
         const Truth truth(frame.surfaces(), std::move(sample), shader(truth_settings(look.shading.estimator, m_target)));
         m_frame.push_back({{}, frame.looks()[i], truth, {}, false});

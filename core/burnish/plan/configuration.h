@@ -21,10 +21,9 @@ const std::vector<Configuration>& configurations();
 /// The configuration that tells most about all others under a light, for little: nineteen regular lookups.
 inline constexpr Configuration kProbe{EstimatorKind::regular, 19};
 
-/// One that errs differently.
-inline constexpr Configuration kOtherProbe{EstimatorKind::filtered_importance, 32};
-
 /// The job's settings with this estimator and count.
 EstimatorSettings with(EstimatorSettings settings, const Configuration& configuration);
+/// Those of an estimator that errs elsewhere than kProbe, near the horizon above all, and is ready at once.
+EstimatorSettings other_probe(EstimatorSettings settings);
 
 }  // namespace burnish

@@ -111,10 +111,8 @@ MaterialShader Planner::shader_of(size_t subject, const Configuration& configura
 
 void Planner::probe() {
     for (size_t i = 0; i < m_subjects.size(); ++i) {
-        for (const Configuration& known : {kProbe, kOtherProbe}) {
-            const Closeness found = m_subjects[i].truth.closeness(shader_of(i, known));
-            m_forecasts[i].learn(known, std::min(credit(found, m_target), kHighestLevel));
-        }
+        const Closeness found = m_subjects[i].truth.closeness(shader_of(i, kProbe));
+        m_forecasts[i].learn(kProbe, std::min(credit(found, m_target), kHighestLevel));
     }
 }
 

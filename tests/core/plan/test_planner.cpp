@@ -28,7 +28,7 @@ protected:
     PlanSubject subject(const QualityTarget& target) {
         EstimatorSettings exact;
         exact.kind = EstimatorKind::reference, exact.tolerance = truth_tolerance(target), exact.adaptive = true;
-        const MaterialShader one(material, *light, with({}, kProbe)), other(material, *light, with({}, kOtherProbe));
+        const MaterialShader one(material, *light, with({}, kProbe)), other(material, *light, other_probe({}));
         Truth truth(*surfaces, check_sample(*surfaces, assignment, 0, 300, {one, other}),
                     MaterialShader(material, *light, exact));
         PlanSubject subject{&material, std::move(truth), {}, {}, {0, 1, 2}};
