@@ -59,8 +59,8 @@
 #include <burnish/plan/error_model.h>
 #include <burnish/plan/truth.h>
 
-#include <burnish/job/build_lights.h>
 #include <burnish/job/bake.h>
+#include <burnish/job/build_lights.h>
 #include <burnish/job/color_flow.h>
 #include <burnish/job/job.h>
 #include <burnish/job/look.h>

@@ -24,7 +24,7 @@ protected:
     Wardrobe wardrobe() const { return prepare_wardrobe(job); }
     Rig rig() const {
         const ColorFlow color(job);
-        return build_rig(job, wardrobe().rules, color, light_from_picture(job, color, sky, Renderer::unknown), {}, Progress());
+        return build_rig(job, wardrobe().rules, color, light_from_picture(job, color, sky, Renderer::unknown), {});
     }
     Refinement refinement() const { return Refinement(job, frame, nullptr, wardrobe(), rig(), nullptr); }
 
