@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace burnish {
 namespace {
@@ -14,7 +15,9 @@ constexpr float kEveryPixel = 100;                       // safety that leaves n
 CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
     CostCase of;
     of.pixels = frame.surfaces().rule_counts()[index];
-    of.frame_pixels = frame.assignment().rule.size();
+    const auto& counts = frame.surfaces().rule_counts();  // what a frame costs whatever is shaded is shared by these
+    of.frame_pixels =
+        frame.assignment().rule.size() * of.pixels / std::max<size_t>(1, std::reduce(counts.begin(), counts.end()));
     of.is_near = !look.rig.is_distant(frame.looks()[index].chain);
     const Environment* environment = look.rig.environment();
     if (environment && !of.is_near) of.suns = static_cast<int>(environment->discs().size());

@@ -86,8 +86,7 @@ PredictedGain predicted_gain(const LobeParameters& lobe, const Configuration& co
     const float m = std::sqrt(lobe.mx * lobe.my), aspect = std::max(lobe.mx / lobe.my, lobe.my / lobe.mx);
     const auto own = [](const Gains& gains) { return gains; };
     const auto at_width = [&](const Curve<Gains>& by_width) { return interpolated(by_width, m, own); };
-    const Gains gains = interpolated(error_table().gains.at(tail), aspect, at_width);
-    return gains[std::min(place, gains.size() - 1)];  // the largest counts come last: those beyond the table are as its largest
+    return interpolated(error_table().gains.at(tail), aspect, at_width)[place];
 }
 
 PredictedGain predicted_sparse(float safety) {

@@ -78,7 +78,9 @@ TEST(ErrorModel, HasTheOrderOfMeasuredErrors) {
     const Material material{"test", Color3f(0, 0, 0), {lobe}};
     EstimatorSettings exact;
     exact.kind = EstimatorKind::reference, exact.tolerance = 0.02f;
-    const Truth truth(surfaces, check_pixels(surfaces, assignment, 0, 120), MaterialShader(material, light, exact));
+    const MaterialShader one(material, light, with({}, kProbe)), other(material, light, other_probe({}));
+    const Truth truth(surfaces, check_sample(surfaces, assignment, 0, 120, {one, other}),
+                      MaterialShader(material, light, exact));
     using enum EstimatorKind;
     const Configuration chosen[] = {
         {fitted, 1}, {fitted, 6}, {regular, 19}, {filtered_importance, 16}, {filtered_importance, 256}};
