@@ -33,7 +33,7 @@ struct Sphere {
     AovFrame frame = scenes::sphere_frame(kSphere);
     Assignment assignment = scenes::whole_frame(frame);
     Surfaces surfaces{frame, assignment, brushed()};
-    std::vector<uint32_t> pixels = check_pixels(surfaces, assignment, 0, kPixels);
+    CheckSample sample = spread_sample(surfaces, assignment, 0, kPixels);
 };
 
 /// A table that serves any light of this face size; empty where pixels make their own taps.
@@ -67,13 +67,13 @@ class LobeErrors {
 public:
     LobeErrors(const Sphere& sphere, const LobeParameters& lobe, const std::vector<NamedLight>& lights)
         : m_sphere(sphere), m_lobe(lobe), m_lights(lights), m_truths(lights.size()) {
-        m_batch.pixel = sphere.pixels;
+        m_batch.pixel = sphere.sample.pixels;
         sphere.surfaces.fill(m_batch);
         EstimatorSettings exact;
         exact.kind = EstimatorKind::reference, exact.tolerance = 0.015f;
         for_each_index(static_cast<int>(lights.size()), [&](int i) {
             const MaterialShader reference(m_material, lights[static_cast<size_t>(i)].light, exact);
-            m_truths[static_cast<size_t>(i)].emplace(sphere.surfaces, sphere.pixels, reference);
+            m_truths[static_cast<size_t>(i)].emplace(sphere.surfaces, sphere.sample, reference);
         });
     }
 

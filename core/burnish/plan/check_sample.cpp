@@ -14,24 +14,6 @@ constexpr size_t kLookedAt = 4096;  // pixels that are shaded twice to draw from
 constexpr double kEvenShare = 0.5;  // of the draws, that go by no estimator
 constexpr size_t kPixelsABatch = 16;
 
-/// One pixel at random from each of `count` equal parts of the material's pixels, row by row.
-std::vector<uint32_t> spread_pixels(const Surfaces& surfaces, const Assignment& assignment, int rule, size_t count) {
-    std::vector<uint32_t> all, chosen;
-    surfaces.list({0, 0, assignment.width, assignment.height}, rule, all);
-    const size_t parts = std::min(count, all.size());
-    for (size_t i = 0; i < parts; ++i) {
-        const size_t begin = i * all.size() / parts, end = (i + 1) * all.size() / parts;
-        chosen.push_back(all[begin + hash_bits(static_cast<uint32_t>(i)) % (end - begin)]);
-    }
-    return chosen;
-}
-
-double exposure_of(const std::vector<Color3f>& picture) {
-    double sum = 0;
-    for (const Color3f& color : picture) sum += (color.x + color.y + color.z) / 3;
-    return sum > 0 ? kMiddleGrey * static_cast<double>(picture.size()) / sum : 1;
-}
-
 double display_distance(const Color3f& a, const Color3f& b, double exposure) {
     double square = 0;
     for (int c = 0; c < 3; ++c) square += std::pow(display_encoded(a[c] * exposure) - display_encoded(b[c] * exposure), 2) / 3;
@@ -52,23 +34,41 @@ std::vector<size_t> drawn(const std::vector<double>& chance, size_t count) {
 
 }  // namespace
 
+double exposure_of(const std::vector<Color3f>& picture, const std::vector<double>& weights) {
+    double sum = 0, whole = 0;
+    for (size_t i = 0; i < picture.size(); ++i)
+        sum += weights[i] * (picture[i].x + picture[i].y + picture[i].z) / 3, whole += weights[i];
+    return sum > 0 ? kMiddleGrey * whole / sum : 1;
+}
+
+CheckSample spread_sample(const Surfaces& surfaces, const Assignment& assignment, int rule, size_t count) {
+    std::vector<uint32_t> all;
+    surfaces.list({0, 0, assignment.width, assignment.height}, rule, all);
+    CheckSample sample;
+    const size_t parts = std::min(count, all.size());
+    for (size_t i = 0; i < parts; ++i) {
+        const size_t begin = i * all.size() / parts, end = (i + 1) * all.size() / parts;
+        sample.pixels.push_back(all[begin + hash_bits(static_cast<uint32_t>(i)) % (end - begin)]);
+    }
+    sample.weights.assign(parts, 1.0 / static_cast<double>(std::max<size_t>(1, parts)));
+    return sample;
+}
+
 CheckSample check_sample(const Surfaces& surfaces, const Assignment& assignment, int rule, size_t count,
                          const Disagreement& by) {
-    const std::vector<uint32_t> looked_at = spread_pixels(surfaces, assignment, rule, std::max(count, kLookedAt));
-    const std::vector<SurfaceBatch> batches = small_batches(surfaces, looked_at, by.one);
+    CheckSample looked_at = spread_sample(surfaces, assignment, rule, std::max(count, kLookedAt));
+    const std::vector<SurfaceBatch> batches = small_batches(surfaces, looked_at.pixels, by.one);
     const std::vector<Color3f> one = shade_all(batches, by.one).overlay, other = shade_all(batches, by.other).overlay;
+    looked_at.exposure = exposure_of(one, looked_at.weights);
+    if (looked_at.pixels.size() <= count) return looked_at;
     CheckSample sample;
-    sample.exposure = exposure_of(one);
-    if (looked_at.size() <= count) {
-        sample.pixels = looked_at, sample.weights.assign(looked_at.size(), 1.0 / static_cast<double>(looked_at.size()));
-        return sample;
-    }
+    sample.exposure = looked_at.exposure;
     std::vector<double> chance;
     for (size_t i = 0; i < one.size(); ++i) chance.push_back(display_distance(one[i], other[i], sample.exposure));
     const double sum = std::reduce(chance.begin(), chance.end()), even = 1.0 / static_cast<double>(chance.size());
     for (double& own : chance) own = sum > 0 ? kEvenShare * even + (1 - kEvenShare) * own / sum : even;
     for (const size_t i : drawn(chance, count)) {
-        sample.pixels.push_back(looked_at[i]);
+        sample.pixels.push_back(looked_at.pixels[i]);
         sample.weights.push_back(even / (chance[i] * static_cast<double>(count)));
     }
     return sample;

@@ -42,6 +42,7 @@ Truth::Truth(const Surfaces& surfaces, CheckSample sample, const MaterialShader&
         const float light = luminance(m_radiance[i]);
         m_relative_error.push_back(light > 0 ? exact.standard_error[i] / light : 0);
     }
+    if (m_sample.exposure <= 0) m_sample.exposure = exposure_of(m_radiance, m_sample.weights);
 }
 
 Closeness Truth::closeness(std::span<const Color3f> estimate) const {
