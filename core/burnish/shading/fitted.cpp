@@ -44,6 +44,17 @@ private:
     int m_last, m_every, m_count, m_stride;
 };
 
+/// Makes taps whose fits are mostly of other, higher views as bright as the lobe is at wo; towards the horizon that may be without
+/// bound.
+void keep_albedo(GaussianTaps& taps, const LobeParameters& lobe, const Vec3f& wo, bool in_plane) {
+    const Color3f albedo = lobe_quadrature(lobe, wo, in_plane, static_cast<int>(taps.size())).albedo;
+    Color3f sum(0);
+    for (const GaussianTap& tap : taps) sum += tap.weight;
+    for (GaussianTap& tap : taps)
+        for (int k = 0; k < 3; ++k)
+            if (sum[k] > 0) tap.weight[k] *= albedo[k] / sum[k];
+}
+
 /// Fits of one lobe at some nodes of a table, taps between them by interpolation.
 class TableFit {
 public:
@@ -82,7 +93,10 @@ public:
         };
         const int low = m_widths.below(w);
         const float part = m_widths.part(w);
-        return part > 0 ? blend(along_azimuth(low), along_azimuth(low + 1), part) : along_azimuth(low);
+        GaussianTaps taps = part > 0 ? blend(along_azimuth(low), along_azimuth(low + 1), part) : along_azimuth(low);
+        const ShadingPoint point = m_table.node_point(v + a * m_table.axes()[1].stride + w * m_table.axes()[2].stride);
+        if (point.wo.z < 2 * kGrazingCosine) keep_albedo(taps, lobe_of(point), point.wo, in_plane());
+        return taps;
     }
 
 private:
@@ -113,8 +127,8 @@ private:
         for (int i = 0; i < m_views.count(); ++i) views.push_back(view(first_node(path) + m_views.stride_of(i)));
         return views;
     }
-    LobeParameters lobe_at(int path) const {
-        const ShadingPoint point = m_table.node_point(first_node(path));
+    LobeParameters lobe_at(int path) const { return lobe_of(m_table.node_point(first_node(path))); }
+    LobeParameters lobe_of(const ShadingPoint& point) const {
         LobeParameters lobe = m_lobe;
         lobe.mx = point.mx, lobe.my = point.my;
         return lobe;

@@ -13,7 +13,9 @@ constexpr int kCircles = 24, kAzimuths = 24;
 constexpr float kShareBeyond = 1e-5f;             // of the lobe's slopes that the grid leaves out
 constexpr float kFarthest = 4.0f;                 // slope widths: where taps of a long tail still make a difference
 constexpr float kFinest = 0.4f, kGrazing = 0.1f;  // of the width of the lobe's image, which narrows as the cosine
-constexpr float kGap = 1.2f;  // deviations of a row of n Gaussians are this over n, of the lobe's longer one
+constexpr float kLowView = 0.26f;                 // cosine: 75 degrees, beyond which the lobe lies on the horizon
+constexpr float kLean = 0.5f;  // of the width: how far the facets that are seen at the horizon lean towards the eye
+constexpr float kGap = 1.2f;   // deviations of a row of n Gaussians are this over n, of the lobe's longer one
 
 struct GridPoint {
     float u, v, area;  // normalised slopes, and their area
@@ -37,6 +39,11 @@ std::vector<GridPoint> polar_grid(float border, bool half) {
     return grid;
 }
 
+void add(LobeQuadrature& q, const Vec3f& wi, float area, const Color3f& value) {
+    q.x.push_back(wi.x), q.y.push_back(wi.y), q.z.push_back(wi.z), q.root_area.push_back(std::sqrt(area));
+    for (int k = 0; k < 3; ++k) q.value[static_cast<size_t>(k)].push_back(value[k]);
+}
+
 template <class LobeType>
 LobeQuadrature quadrature_of(const LobeType& lobe, float mx, float my, const Vec3f& wo, bool half) {
     LobeQuadrature q{};
@@ -50,8 +57,9 @@ LobeQuadrature quadrature_of(const LobeType& lobe, float mx, float my, const Vec
         const Vec3f wi = reflect(wo, h);
         const float area = 4 * wo_h * point.area * mx * my * cos_h * cos_h * cos_h;
         const Color3f value = wi.z > 0 ? lobe.eval(wo, lobe.mirrored(wi)) * wi.z : Color3f(0);
-        q.x.push_back(wi.x), q.y.push_back(wi.y), q.z.push_back(wi.z), q.root_area.push_back(std::sqrt(area));
-        for (int k = 0; k < 3; ++k) q.value[static_cast<size_t>(k)].push_back(value[k]);
+        add(q, wi, area, value);
+        // Facets that wo does not see would mirror it down there, where nothing is and a fit has to know.
+        if (wo.z < kLowView && wi.z > wo.z) add(q, {wi.x, wi.y, -wi.z}, area, Color3f(0));
         albedo += Imath::V3d(value) * area;
     }
     q.albedo = Color3f(Vec3f(albedo));
@@ -76,11 +84,20 @@ float blur_for(const LobeParameters& lobe, const Vec3f& wo, int taps, float peak
     return std::min(std::max(detail, closing), 0.35f * image.major);
 }
 
+/// wo, raised at grazing angles to the height it has over the facets that it sees, which lean towards it: from there a blur of
+/// directions widens slopes as it does over the lobe. At the mirror direction itself that would be without bound.
+Vec3f leaning_view(const Vec3f& wo, float m) {
+    const float z = std::max(wo.z, kLean * m), sine = std::hypot(wo.x, wo.y);
+    return sine > 0 ? Vec3f(wo.x / sine, wo.y / sine, 0) * std::sqrt(1 - z * z) + Vec3f(0, 0, z) : wo;
+}
+
 }  // namespace
 
 LobeQuadrature lobe_quadrature(const LobeParameters& parameters, const Vec3f& wo, bool half, int taps) {
-    const float blur = blur_for(parameters, wo, taps, peak_width(parameters)), mx = parameters.mx, my = parameters.my;
-    const Vec2f wider = widening(wo, blur);
+    const float mx = parameters.mx, my = parameters.my;
+    const Vec3f leaning = leaning_view(wo, std::sqrt(mx * my));
+    const float blur = blur_for(parameters, leaning, taps, peak_width(parameters));
+    const Vec2f wider = widening(leaning, blur);
     return visit_lobe(parameters, [&](const auto& lobe) {
         const LobeQuadrature sharp = quadrature_of(lobe, mx, my, wo, half);
         LobeQuadrature q =

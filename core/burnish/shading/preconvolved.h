@@ -23,6 +23,9 @@ float passed_width(const LobeType& lobe) {
     return lobe_tail([&](float xi) { return lobe.border(xi); }) == LobeTail::long_tail ? 0.42f : 0.6f;
 }
 
+/// Of the width's square, after narrowing: where the image is a hundred times as long as wide, its narrower deviation is rounded up.
+inline constexpr float kLeastLeft = 0.5f;
+
 /// Width of the Gaussian that stands for a solid angle; measured, 1 / sqrt(4 pi) would have a disc's own second moment.
 inline float footprint_width(float omega) { return 0.42f * std::sqrt(omega); }
 
@@ -31,7 +34,8 @@ template <class LobeType, class LevelOf>
 void preconvolved_taps(const LobeType& lobe, const ShadingPoint& point, const LevelOf& level_of, std::span<Tap> taps) {
     const float band = passed_width(lobe) * lobe_image(point.wo, point.mx, point.my).minor;
     const Vec2f wider = widening(point.wo, band);
-    const auto narrowed = lobe.with_widths(std::sqrt(point.mx * point.mx - wider.x), std::sqrt(point.my * point.my - wider.y));
+    const auto left = [](float m, float taken) { return std::sqrt(std::max(m * m - taken, kLeastLeft * m * m)); };
+    const auto narrowed = lobe.with_widths(left(point.mx, wider.x), left(point.my, wider.y));
     importance_taps(
         narrowed, point, [&](float omega) { return level_of(std::max(band, footprint_width(omega))); }, taps);
 }
