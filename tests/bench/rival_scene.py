@@ -20,7 +20,7 @@ LIGHTS = {"courtyard": None, "hall": "st_fagans_interior_1k"}
 
 LONG = "aniso"
 WHOLE, WITHOUT_LONG = "whole frame", "without the two 1:11 spheres"
-ENOUGH = {"tolerance": 0.02, "max_samples": 4096}  # of the reference
+TOLERANCE = 0.02  # of the reference
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,14 +72,14 @@ def glossy(path):
 class Judge:
     """Measures pictures of a scene: display PSNR over the interiors of each object, and over those of all of them."""
 
-    def __init__(self, scene):
+    def __init__(self, scene, most_samples):
         index = scenes.read_exr(scene.frame)["ViewLayer.IndexMA.X"]
         masks = {name: cycles.interior(index, of["pass_index"]) for name, of in scene.materials.items()}
         short = [mask for name, mask in masks.items() if not name.startswith(LONG)]
         self.masks = {WHOLE: np.any(list(masks.values()), 0), WITHOUT_LONG: np.any(short, 0), **masks}
         shot = scene.shot()
         layers = burnish.composite(shot["aovs"], None, shot["materials"], assign=shot["assign"], lights=shot["lights"],
-                                   estimator="reference", **ENOUGH)
+                                   estimator="reference", tolerance=TOLERANCE, max_samples=most_samples)
         self.reference = {name: truth_of(layers, mask) for name, mask in self.masks.items()}
         self.cycles = {}
         if scene.converged:

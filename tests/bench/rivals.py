@@ -34,6 +34,7 @@ def parser():
     words.add_argument("--scenes", nargs="+", choices=rival_scene.LIGHTS, default=list(rival_scene.LIGHTS))
     words.add_argument("--only", nargs="+", choices=RIVALS, default=RIVALS, help="these rivals alone")
     words.add_argument("--samples", type=int, nargs="+", default=(16, 64, 256), help="of Cycles, a pixel")
+    words.add_argument("--reference", type=int, metavar="SAMPLES", default=4096, help="most samples a pixel of the reference")
     words.add_argument("--rungs", type=int, default=len(rival_runs.LADDER), help="only so many settings of burnish")
     words.add_argument("--repeats", type=int, default=3, help="runs of each setting of burnish and OpenImageIO, the fastest counts")
     words.add_argument("--threads", type=int, default=2)
@@ -58,7 +59,7 @@ def runs_of(scene, judge, options):
 def rows_of(name, options):
     """One dict a run and part of the frame: a line of the CSV."""
     scene = rival_scene.scene_of(name, options.data, options.output)
-    judge = rival_scene.Judge(scene)
+    judge = rival_scene.Judge(scene, options.reference)
     print(f"{name}: noise of the reference {judge.noise_db():.1f} dB; Cycles' 1024 samples against it, dB:",
           {part: round(db, 1) for part, db in judge.agreement_db().items()}, file=sys.stderr)
     for run in runs_of(scene, judge, options):
