@@ -133,7 +133,8 @@ def sources_of(options, more, scratch):
         light = {"env": options.env[0]} if options.env else {}
         return [shots.source_of(picture.stem, {"aovs": str(picture), **light, **words.settings_of(more)})]
     if options.shots:
-        names = [shot.stem if len({shot.stem for shot in options.shots}) == len(options.shots) else shot.parent.name for shot in options.shots]
+        stems = {shot.stem for shot in options.shots}
+        names = [shot.stem if len(stems) == len(options.shots) else shot.parent.name for shot in options.shots]
         return [shots.shot_source(shot, name) for shot, name in zip(options.shots, names)]
     return collection.sources(collection.QUICK if options.quick else collection.Size(), scratch, options.data)
 
@@ -142,7 +143,8 @@ def note_others(sweep, sources):
     """Say where the folder holds rows that are not today's."""
     others = sweep.store.others({sweep.digest(source) for source in sources})
     if others:
-        print(f"burnish: warning: {sweep.store.folder}: {others} rows are of another version, other settings or other shots; left aside", file=sys.stderr)
+        print(f"burnish: warning: {sweep.store.folder}: {others} rows are of another version, other settings or other shots; "
+              "they are left aside", file=sys.stderr)
 
 
 def run_estimators(options):

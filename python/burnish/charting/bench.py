@@ -13,6 +13,7 @@ import time
 import numpy as np
 
 from . import measure
+from .scene import WHOLE
 from .setting import Setting, setting_of
 
 STAGES = ("light", "tables", "surface", "shading", "composite")
@@ -98,9 +99,10 @@ class Bench:
 
     def __init__(self, scene, effort):
         self.scene, self.effort = scene, effort
-        self.union = scene.parts[-1].coverage > 0 if len(scene.parts) > 1 else scene.parts[0].coverage > 0
-        parts = max(len(scene.parts) - 1, 1)
-        self.pixels, self.edge = measure.jittered(self.union, effort.pixels * min(parts, 6))
+        masks = [part.coverage > 0 for part in scene.parts if part.name != WHOLE]
+        covered = np.any(masks, axis=0)
+        beside = len(masks) * covered.sum() / sum(mask.sum() for mask in masks)  # parts; 1 where they lie over each other
+        self.pixels, self.edge = measure.jittered(covered, int(effort.pixels * min(beside, 6)))
 
     def see(self, part):
         """The reference of a part, at the pixels of the frame's raster that it has."""

@@ -108,6 +108,11 @@ def light_sources(files):
     return sources
 
 
+def light_picture(source):
+    """The picture of a seed, or the file."""
+    return stress_light(source) if isinstance(source, int) else source
+
+
 def load_light(source):
     """The light of a seed or a file, y up."""
-    return Environment(stress_light(source) if isinstance(source, int) else source)
+    return Environment(light_picture(source))

@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import ReadFailed
 from . import benchmark, cycles
-from .benchmark import GRAZING, load_light, sphere, view_cosines
+from .benchmark import GRAZING, light_picture, sphere, view_cosines
 from .lights import Lights
 from .scene import Part, Scene, Source, file_stamps, parameters_of
 from .shots import shot_source, source_of
@@ -35,7 +35,8 @@ MATERIALS = {
 }
 """From mirror to rough, anisotropic, measured, transmission."""
 QUICK_MATERIALS = ("mirror", "ggx-0.2", "brushed-steel", "merl:brass")
-FOLDERS = {"cycles": "cycles/spheres/spheres.exr", "environments": "public/env"}
+ROOM_MATERIALS = ("lacquer", "gold", "chrome", "frosted-glass")
+"""Of the demo's room: mirrors over a traced room, cube maps, what is behind a pane."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -82,7 +83,7 @@ def sphere_scene(name, light_name, light, materials, size):
     cosines = view_cosines(frame)
     covered = (cosines > 0).astype(np.float32)
     parts = [Part(material, parameters_of(worn), job_of(material, worn, covered), covered) for material, worn in materials.items()]
-    return Scene(name, light_name, frame, {"camera": benchmark.CAMERA}, Lights(load_light(light)), tuple(parts), grazing=cosines < GRAZING)
+    return Scene(name, light_name, frame, {"camera": benchmark.CAMERA}, Lights(light_picture(light)), tuple(parts), grazing=cosines < GRAZING)
 
 
 def job_of(name, worn, covered):
@@ -93,14 +94,15 @@ def job_of(name, worn, covered):
 
 
 def demo_source(scene, size, scratch):
-    """A frame of `burnish demo`."""
-    count = {"table": 11, "room": 14}[scene]
+    """A frame of `burnish demo`; of the room, whose lights are read for every run, a few materials."""
+    count = {"table": 11, "room": len(ROOM_MATERIALS)}[scene]
 
     def load():
         folder = scratch / scene
         run_demo(scene, size, folder)
         loaded = shot_source(folder / "shot.json").load()
-        return dataclasses.replace(loaded, name=f"demo {scene}")
+        parts = [part for part in loaded.parts if scene == "table" or part.name.split(" (")[0] in ROOM_MATERIALS]
+        return dataclasses.replace(loaded, name=f"demo {scene}", parts=tuple(parts))
 
     return Source(f"demo {scene}", count, list(size), load)
 

@@ -45,7 +45,8 @@ def room(folder):
     """A closed room: a mirror in its floor, a cube map of what else there is."""
     described = json.loads((folder / "room.json").read_text())["materials"]
     centre = json.loads((folder / "cube_px.json").read_text())["cube_face"]["center"]
-    materials = {name: {"model": "ggx", "m": described[name]["alpha"], "tint": described[name]["glossy_color"]} for name in ("floor", "vase")}
+    materials = {name: {"model": "ggx", "m": described[name]["alpha"], "tint": described[name]["glossy_color"]}
+                 for name in ("floor", "vase")}
     lights = {
         "mirror": {"type": "mirror", "file": str(folder / "mirror.exr"), "camera": str(folder / "mirror.json"), "plane": FLOOR},
         "box": {"type": "cubemap", "file": str(folder / "cube_%s.exr"), "centre": centre, "convention": "blender", "up": "z",

@@ -18,7 +18,8 @@ SMALLEST_EDGE = 160  # of a picture, pixels
 
 
 def images_of(bench, parts, rows, seen):
-    """Of the whole frame if it is among the parts, else of each. Arrays to keep: "pictures", JSON of what each shows, and "picture_0" and so on."""
+    """Of the whole frame if it is among the parts, else of each. Arrays to keep: "pictures", JSON of what each shows,
+    and "picture_0" and so on."""
     pictures, arrays = [], {}
     for part in [part for part in parts if part.name == WHOLE] or parts:
         of_part = [row for row in rows if row.material == part.name]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import platform
 import statistics
 
@@ -20,9 +21,9 @@ GROUPS = {"equal time": f"In the time of the default (up to {EQUAL_TIME:g} times
 def page_of(rows, effort, kept):
     """The Page; `kept`: scene -> what the store keeps of it."""
     page = Page("burnish: speed against accuracy")
-    page.text(f"{len(rows)} settings measured on {len(cases(rows))} pairs of a scene and a material in it. Times are milliseconds of "
-              f"{effort.cores} threads; dB is display PSNR against the converged reference. \"Each further frame\" is surfaces, shading and "
-              "compositing; \"alone\" adds what is made once: light, tables.")
+    page.text(f"{len(rows)} settings measured on {len(cases(rows))} pairs of a scene and a material in it. Times are milliseconds "
+              f"of {effort.cores} threads; dB is display PSNR against the converged reference. \"Each further frame\" is surfaces, "
+              "shading and compositing; \"alone\" adds what is made once: light, tables.")
     add_summary(page, rows)
     for scene in dict.fromkeys(row.scene for row in rows):
         add_scene(page, scene, [row for row in rows if row.scene == scene], kept.get(scene, {}))
@@ -41,8 +42,8 @@ def cases(rows):
 def add_summary(page, rows):
     """Over all scenes: how each estimator fares at each target, and the regret of the default."""
     page.heading("What a picture of some quality costs")
-    page.text("Of all pairs: in how many an estimator reaches the target, its median time there for each further frame, and in how many it is the "
-              "cheapest of all that do.")
+    page.text("Of all pairs: in how many an estimator reaches the target, its median time there for each further frame, and in how "
+              "many it is the cheapest of all that do.")
     lines = []
     for estimator in dict.fromkeys(row.estimator for row in rows):
         cells = [estimator.replace("_", " ")]
@@ -60,9 +61,9 @@ def add_summary(page, rows):
         regrets = [regret for case in cases(rows).values() if (regret := regret_of(case, cost))]
         if regrets:
             slower, lost = sorted(r.slower for r in regrets), sorted(r.lost_db for r in regrets)
-            page.text(f"By {words}: the fastest setting with no more error is {statistics.median(slower):.2f} times as fast in the median and "
-                      f"{slower[-1]:.2f} times at the most; in no more time {statistics.median(lost):.1f} dB more are to be had in the median and "
-                      f"{lost[-1]:.1f} dB at the most.")
+            page.text(f"By {words}: the fastest setting with no more error is {statistics.median(slower):.2f} times as fast in the "
+                      f"median and {slower[-1]:.2f} times at the most; in no more time {statistics.median(lost):.1f} dB more are to be "
+                      f"had in the median and {lost[-1]:.1f} dB at the most.")
 
 
 def add_scene(page, scene, rows, kept):
@@ -78,8 +79,8 @@ def add_scene(page, scene, rows, kept):
                [[named(case[0]), *(cost_text(cheapest(case, target)) for target in TARGETS_DB)] for case in by_material.values()])
     regrets = {material: regret_of(case) for material, case in by_material.items()}
     page.table(["default", "dB", "ms", "times as slow as", "the fastest as good", "dB below", "the best as fast"],
-               [[material, f"{r.default.psnr_db:.1f}", f"{1e3 * r.default.frame_s:.2f}", f"{r.slower:.2f}", r.faster_row.setting.label,
-                 f"{r.lost_db:.1f}", r.better_row.setting.label] for material, r in regrets.items() if r])
+               [[material, f"{r.default.psnr_db:.1f}", f"{1e3 * r.default.frame_s:.2f}", f"{r.slower:.2f}",
+                 r.faster_row.setting.label, f"{r.lost_db:.1f}", r.better_row.setting.label] for material, r in regrets.items() if r])
     add_images(page, kept)
 
 
@@ -97,8 +98,8 @@ def add_images(page, kept):
     """Error images that were kept, in groups."""
     pictures = json.loads(str(kept["pictures"])) if "pictures" in kept else []
     for part in dict.fromkeys(picture["part"] for picture in pictures):
-        page.text(f"{part}: errors on a display, from black (none) to pale yellow ({100 * SHOWN_ERROR:g} % of white and more); a dot is a pixel that "
-                  "the reference has seen.")
+        page.text(f"{part}: errors on a display, from black (none) to pale yellow ({100 * SHOWN_ERROR:g} % of white and more); a dot "
+                  "is a pixel that the reference has seen.")
         last = ""
         for index, picture in enumerate(pictures):
             if picture["part"] != part:
@@ -114,12 +115,11 @@ def add_method(page, rows, effort):
     page.heading("How it was measured")
     noise = sorted(row.reference_relative_rms for row in rows)
     ceiling = sorted(row.reference_ceiling_db for row in rows)
-    page.text(f"burnish {__version__}, Python {platform.python_version()}, {platform.system()} {platform.machine()}, {effort.cores} threads of "
-              f"{platform.processor() or 'an unnamed processor'}. Times are medians of up to {effort.runs} runs, stage by stage, as long as these take "
-              f"less than {effort.seconds:g} s.")
-    page.text(f"The reference is the estimator `reference`, until its standard error is {100 * effort.tolerance:g} % of each pixel, {effort.most_lookups} "
-              f"lookups at the most, at about {effort.pixels} pixels of each material, one drawn in each of equal blocks of the frame. Its own error, "
-              f"{100 * noise[0]:.2f} to {100 * noise[-1]:.2f} % RMS, is taken out of every figure; what is better than its ceiling ({ceiling[0]:.0f} to "
-              f"{ceiling[-1]:.0f} dB) is shown as the ceiling.")
-    page.text("Display PSNR: both pictures scaled so that the reference's mean is 0.18, clamped to [0, 1], sRGB-encoded. Materials of a frame are shaded "
-              "apart by their masks, so that each has times of its own; the whole frame is measured as one.")
+    page.text(f"burnish {__version__}, {platform.system()} {platform.machine()}, {effort.cores} threads on {os.cpu_count()} cores. Times "
+              f"are medians of up to {effort.runs} runs, stage by stage, as long as these take less than {effort.seconds:g} s.")
+    page.text(f"The reference is the estimator `reference`, until its standard error is {100 * effort.tolerance:g} % of each pixel, "
+              f"{effort.most_lookups} lookups at the most, at about {effort.pixels} pixels of each material, one drawn in each of equal "
+              f"blocks of the frame. Its own error, {100 * noise[0]:.2f} to {100 * noise[-1]:.2f} % RMS, is taken out of every figure; what "
+              f"is better than its ceiling ({ceiling[0]:.0f} to {ceiling[-1]:.0f} dB) is shown as the ceiling.")
+    page.text("Display PSNR: both pictures scaled so that the reference's mean is 0.18, clamped to [0, 1], sRGB-encoded. Materials of a "
+              "frame are shaded apart by their masks, so that each has times of its own; the whole frame is measured as one.")

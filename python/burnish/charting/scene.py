@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .. import composite
+from .. import composite, library, presets
 from .lights import Lights
 from .setting import Setting
 
@@ -81,7 +81,9 @@ def file_stamps(value):
 
 
 def parameters_of(material):
-    """A material's lobes in a few words."""
+    """The lobes of a material, or of a preset by its name, in a few words."""
+    if isinstance(material, str):
+        material = presets().get(material) or library().get(material) or material
     lobes = material.get("lobes", [material]) if isinstance(material, dict) else []
     return " + ".join(lobe_text(lobe) for lobe in lobes) or str(material)
 

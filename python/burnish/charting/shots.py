@@ -11,7 +11,7 @@ import pathlib
 
 import numpy as np
 
-from .. import BadArgument, Frame, _core, composite, library, presets
+from .. import BadArgument, Frame, _core, composite
 from .lights import Lights
 from .scene import WHOLE, Part, Scene, Source, file_stamps, parameters_of
 from .setting import Setting
@@ -89,8 +89,7 @@ def parts_of(frame, job, shared, rules):
         chain = {"default_light": rule["light"]} if rule.get("light") else chain_of(job)
         if rule.get("light"):
             lights = {key: light for key, light in lights.items() if key in rule["light"]}
-        described = job.get("materials", {}).get(material) or presets().get(material) or library().get(material) or material
-        yield Part(name, parameters_of(described), {"assign": {material: coverage}, "lights": lights, **chain}, coverage)
+        yield Part(name, parameters_of(job.get("materials", {}).get(material, material)), {"assign": {material: coverage}, "lights": lights, **chain}, coverage)
 
 
 def names_of(rules):

@@ -20,7 +20,8 @@ def settings_of(words):
         name = ALIASES.get(flag[2:], flag[2:].replace("-", "_"))
         if name not in table:
             near = difflib.get_close_matches(name, table, 1)
-            raise BadArgument(f"{word}: no such option" + (f", did you mean --{near[0].replace('_', '-')}?" if near else "; see burnish chart --help"))
+            hint = f", did you mean --{near[0].replace('_', '-')}?" if near else "; see burnish chart --help"
+            raise BadArgument(f"{word}: no such option{hint}")
         if "=" not in word:
             if not left:
                 raise BadArgument(f"{flag}: expected a value after it")
