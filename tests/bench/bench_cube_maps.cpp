@@ -93,7 +93,7 @@ void load_map(benchmark::State& state) {
     for (auto _ : state) {
         kept.emplace_back(Environment::from_picture(picture, {.suns = Suns::keep}, "room"), std::nullopt, kCentre,
                           BoundingPlanes(room.box(), kCentre));
-        kept.back().picture().gaussian_stack();
+        kept.back().picture().gaussian_stack().stack();
     }
     state.counters["bytes"] = (resident_bytes() - before) / static_cast<double>(kept.size());
 }

@@ -2,6 +2,7 @@
 
 #include <burnish/base/parallel.h>
 #include <burnish/light/filter/cube_faces.h>
+#include <burnish/light/filter/gaussian_cap.h>
 #include <burnish/light/latlong_cells.h>
 
 #include <bit>
@@ -158,6 +159,28 @@ std::array<Image, 6> resized_cube(const std::array<Image, 6>& faces, int face_si
         const int face = task / face_size, y = task % face_size;
         const Overlap rows(y, face_size, from);
         for (int x = 0; x < face_size; ++x) resize_texel(faces[face], Overlap(x, face_size, from), rows, out[face].at(x, y));
+    });
+    return out;
+}
+
+std::array<Image, 6> halved_cube(const std::array<Image, 6>& faces) {
+    const int from = faces[0].width, size = from / 2;
+    const std::vector<float> cosines = texel_cosines(from);
+    std::array<Image, 6> out;
+    out.fill(Image(size, size, 3));
+    for_each_index(6 * size, [&](int task) {
+        const int face = task / size, y = task % size;
+        for (int x = 0; x < size; ++x) {
+            Color3f sum(0, 0, 0);
+            float total = 0;
+            for (const auto& [dx, dy] : {std::array{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+                const float *rgb = faces[face].at(2 * x + dx, 2 * y + dy),
+                            c = cosines[static_cast<size_t>(2 * y + dy) * from + 2 * x + dx], weight = c * c * c;
+                sum += Color3f(rgb[0], rgb[1], rgb[2]) * weight, total += weight;
+            }
+            sum /= total;
+            std::copy_n(&sum.x, 3, out[face].at(x, y));
+        }
     });
     return out;
 }

@@ -71,7 +71,7 @@ std::vector<GaussianLevel> gaussian_levels(int map_size) {
             continue;
         }
         const int fitting = halvings_for(map_size, level.sigma);
-        if (k > 2 && fitting > halvings && level.sigma < kLastShrunk) {
+        if (level.sigma >= kDenseSigma && fitting > halvings && level.sigma < kLastShrunk) {
             start = k, halvings = level.halvings = fitting;
             continue;
         }

@@ -6,8 +6,8 @@
 // kernels and the bilinear tent together, as a mean versine (gaussian_width.h), which a blend of two levels keeps.
 //
 // Levels 1 and 2 are sums over texels, the next ones come from one sqrt(2) narrower by a few lookups a texel. Where the map at
-// half its size has texels of a quarter of a level's width, that level is a sum over it instead, the next ones come from there, and
-// so on with a quarter of its size: errors do not add up, and a wide level needs nothing of the fine ones. Levels wider than 1/3 are sums over one
+// half its size has texels of a quarter of a dense level's width, that level is a sum over it instead, the next ones come from there,
+// and so on with a quarter of its size: errors do not add up, and a wide level needs nothing of the fine ones. Levels wider than 1/3 are sums over one
 // of a third of the width: there a Gaussian of a Gaussian is no Gaussian any more.
 #pragma once
 

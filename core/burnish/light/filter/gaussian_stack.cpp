@@ -48,7 +48,10 @@ public:
         if (m_stack.level_count() == 0) m_stack = CubeStack(sizes_of(m_levels));
         for (const LevelRange& range : ranges)
             for (int k = first_read(range.finest); k <= last_read(range.coarsest); ++k) finish(k);
-        m_is_whole.store(std::ranges::all_of(m_is_done, std::identity()), std::memory_order_release);
+        if (std::ranges::all_of(m_is_done, std::identity())) {
+            m_shrunk.clear();
+            m_is_whole.store(true, std::memory_order_release);
+        }
         return m_stack;
     }
 
@@ -90,9 +93,16 @@ private:
     void sum_over_map(const GaussianLevel& level, CubeLevel& target) {
         const int size = m_levels[0].size >> level.halvings;
         const GaussianBlur blur{level.versine, 0.0, texel_square(size) / 12.0};
-        if (level.halvings > 0) return blur_by_sum(CubeLevel(resized_cube(*m_faces, size)), blur, target);
+        if (level.halvings > 0) return blur_by_sum(CubeLevel(shrunk(level.halvings)), blur, target);
         add_light(0);
         blur_by_sum(m_stack[0], blur, target);
+    }
+
+    /// The map's faces, halved so many times, >= 1.
+    const std::array<Image, 6>& shrunk(int halvings) {
+        while (static_cast<int>(m_shrunk.size()) < halvings)
+            m_shrunk.push_back(halved_cube(m_shrunk.empty() ? *m_faces : m_shrunk.back()));
+        return m_shrunk[static_cast<size_t>(halvings) - 1];
     }
 
     void blur_level(const GaussianLevel& level, CubeLevel& target) {
@@ -107,7 +117,8 @@ private:
     const Faces m_faces;
     const std::vector<GaussianLevel> m_levels;
     std::mutex m_making;
-    std::vector<bool> m_has_light, m_is_done;  // without and with the fourth channel
+    std::vector<std::array<Image, 6>> m_shrunk;  // while levels are missing
+    std::vector<bool> m_has_light, m_is_done;    // without and with the fourth channel
     std::atomic<bool> m_is_whole = false;
     CubeStack m_stack;
 };
