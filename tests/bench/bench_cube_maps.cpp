@@ -3,6 +3,7 @@
 #include "core/light/painted_room.h"
 
 #include <burnish/light/cube_map/cube_map_light.h>
+#include <burnish/light/filter/gaussian_stack.h>
 
 #include <benchmark/benchmark.h>
 

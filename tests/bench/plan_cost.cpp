@@ -66,7 +66,7 @@ public:
         PredictedCost cost;
         cost.light = seconds([&] {
             if (settings.kind != EstimatorKind::fitted) light.pyramid();
-            if (settings.kind == EstimatorKind::fitted || one.safety > 0) light.gaussian_stack();
+            if (settings.kind == EstimatorKind::fitted || one.safety > 0) light.gaussian_stack().stack();
         });
         cost.tables = seconds([&] {
             shaders.emplace_back(material, light, settings);
