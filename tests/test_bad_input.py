@@ -155,7 +155,7 @@ def test_a_light_that_is_no_picture(composite, work, content):
     ('{"quality": {"sampels": 7}}', ["quality", 'did you mean "samples"']),
     ('{"quality": {"samples": 7.5}}', ["quality.samples", "whole number", "7.5"]),
     ('{"quality": {"samples": "7"}}', ["quality.samples", '"7"']),
-    ('{"quality": {"psnr": 45}}', ["quality", "psnr"]),
+    ('{"quality": {"decibels": 45}}', ["quality", "decibels"]),
     ('{"quality": 3}', ["quality", "an object"]),
     ('{"lights": {"a": {"file": "sky.exr"}, "b": {"file": "sky.exr"}}}', ["lights.b", "one environment"]),
     ('{"lights": {"sky": {"type": "miror"}}}', ["lights.sky.type", "mirror"]),

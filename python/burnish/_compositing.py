@@ -96,9 +96,9 @@ def refine(
     aovs, light, materials, fine_aovs, assign, camera, progress, **settings
         As for `composite`; `progress` goes from 0 to 1 in every step.
 
-    Yields
-    ------
-    dict
+    Returns
+    -------
+    iterator of dict
         What `composite` returns, and
         "step" : int, from 0;
         "label" : str, "first look", "as set", "dense, 256 lookups", then "reference, 512 lookups" and twice as many each;

@@ -8,9 +8,10 @@ import json
 import pathlib
 import sys
 
+from .chart import FAILED, USAGE, fail
 from .charting import fit_picture
+from .charting.files import check_folder
 from .errors import BadArgument, Error, ReadFailed
-from .chart import FAILED, USAGE, check_folder, fail
 
 DESCRIPTION = """Draws what `burnish fit --report` wrote: DIR/slices.png (data and fit along both slices), DIR/lobes.png (polar
 lobes by the light's angle, cube roots of the values), and DIR/balls.png (a ball of the data, one of the fit, and their

@@ -13,7 +13,7 @@ constexpr double kCaution = 0.3;          // standard deviations that are taken 
 constexpr double kToleratedMiss = 0.5;    // dB that a target may be missed by
 constexpr double kPeakOverRms = 6;        // of display errors, about: what joins a largest error to a PSNR
 constexpr double kDisplayChange = 0.215;  // of the signal at middle grey, for a relative change of the light
-constexpr int kMostMeasured = 3;          // configurations beside the probe, for each material
+constexpr int kMostMeasured = 5;          // configurations beside the probe, for each material
 constexpr double kLowestLevel = 15, kHighestLevel = 70;
 
 constexpr Configuration kReference{EstimatorKind::reference, 0};
@@ -241,11 +241,10 @@ bool Planner::correct(size_t subject, const Closeness& found) {
         forecast.learn_sparse(now.configuration, now.safety, reached);
     else
         forecast.learn(now.configuration, reached);
-    const Choice next = choose_next(subject);
-    const bool is_new = next.configuration != now.configuration || next.safety != now.safety;
-    m_choices[subject] = next;
-    m_plans[subject] = plan_of(subject);
-    return is_new;
+    const Choice missed = now;
+    m_choices[subject] = choose_next(subject);
+    settle(subject);
+    return m_choices[subject].configuration != missed.configuration || m_choices[subject].safety != missed.safety;
 }
 
 std::string_view estimator_name(EstimatorKind kind) {
