@@ -93,8 +93,10 @@ def refine(
 
     Parameters
     ----------
-    aovs, light, materials, fine_aovs, assign, camera, progress, **settings
+    aovs, light, materials, fine_aovs, assign, camera, progress
         As for `composite`; `progress` goes from 0 to 1 in every step.
+    **settings
+        Settings by name, but no target (psnr, max_error, time).
 
     Returns
     -------
