@@ -23,7 +23,7 @@ TARGETS = (35, 40, 45, 50)
 HDRS = ("studio_small_03_1k", "st_fagans_interior_1k", "dikhololo_night_1k")
 DENSE = {"fitted": (1, 2, 3, 4, 6, 8, 12, 16), "regular": (4, 7, 12, 19, 30, 61),
          "filtered_importance": (16, 32, 64, 128, 256, 512, 1024, 2048)}
-SAFETIES = (0.5, 1, 2, 4)
+SAFETIES = (1, 2)
 
 
 def materials():

@@ -9,8 +9,8 @@
 namespace burnish {
 namespace {
 
-constexpr size_t kFewestPixels = 64, kMostPixels = 400;  // of a material that are checked
-constexpr float kEveryPixel = 100;                       // safety that leaves nothing to interpolate but what is flat
+constexpr size_t kFewestPixels = 160, kMostPixels = 400;  // of a material that are checked
+constexpr float kEveryPixel = 100;                        // safety that leaves nothing to interpolate but what is flat
 
 CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
     CostCase of;
@@ -29,7 +29,7 @@ CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
 
 /// Pixels that are checked of each look: so many that their truth takes a tenth of what the frame would take by the defaults.
 size_t pixels_to_check(const Look& look, const LitFrame& frame, const QualityTarget& target) {
-    constexpr double kShare = 0.1, kLookupsAPixel = 1500, kUsualTolerance = 0.037;
+    constexpr double kShare = 0.1, kLookupsAPixel = 700, kUsualTolerance = 0.074;
     double seconds = 0;
     for (size_t i = 0; i < frame.looks().size(); ++i) {
         CostCase of = cost_case(look, frame, i);

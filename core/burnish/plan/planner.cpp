@@ -53,7 +53,7 @@ double level_of(const QualityTarget& target) {
 }
 
 double credit(const Closeness& closeness, const QualityTarget& target) {
-    const double by_mean = std::min(closeness.psnr_db, closeness.low_db + kToleratedMiss);
+    const double by_mean = std::min(closeness.psnr_db, closeness.low_db + kToleratedMiss / 2);
     if (target.max_error <= 0) return by_mean;
     const double room = 20 * std::log10(target.max_error / std::max(closeness.largest, 1e-9));
     return std::min(by_mean, level_of(target) + room);
@@ -61,8 +61,9 @@ double credit(const Closeness& closeness, const QualityTarget& target) {
 
 float truth_tolerance(const QualityTarget& target) {
     constexpr double kUsual = 40;
+    constexpr float kNoisier = 2;  // than a picture that meets the target: more pixels tell more than less noise in each
     const double level = level_of(target);
-    return tolerance_for(level > 0 ? level : kUsual);
+    return kNoisier * tolerance_for(level > 0 ? level : kUsual);
 }
 
 Planner::Planner(std::vector<PlanSubject> subjects, const QualityTarget& target, const EstimatorSettings& settings,

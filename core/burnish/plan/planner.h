@@ -47,7 +47,7 @@ struct MaterialPlan {
 
 /// dB that stand for the target: its psnr, or what keeps single pixels within its max_error; 0 for a time alone.
 double level_of(const QualityTarget& target);
-/// What a closeness counts for: its dB, but no more than a half above what it is at least; less where single pixels miss.
+/// What a closeness counts for: its dB, but no more than a quarter above what it is at least; less where single pixels miss.
 double credit(const Closeness& closeness, const QualityTarget& target);
 /// Tolerance of `reference` at which a few hundred pixels tell whether the target is met.
 float truth_tolerance(const QualityTarget& target);

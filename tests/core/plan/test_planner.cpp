@@ -109,7 +109,7 @@ TEST_F(Plans, FallBackToTheReferenceForWhatNothingElseReaches) {
 TEST(Credit, IsCautiousWithFewPixels) {
     Closeness found;
     found.psnr_db = 45, found.low_db = 42, found.largest = 0.03;
-    EXPECT_DOUBLE_EQ(credit(found, {40, 0, 0}), 42.5);
+    EXPECT_DOUBLE_EQ(credit(found, {40, 0, 0}), 42.25);
     found.low_db = 44.9;
     EXPECT_DOUBLE_EQ(credit(found, {40, 0, 0}), 45);
     EXPECT_LT(credit(found, {0, 0.02f, 0}), level_of({0, 0.02f, 0}));
