@@ -14,6 +14,8 @@ constexpr double kToleratedMiss = 0.5;    // dB that a target may be missed by
 constexpr double kPeakOverRms = 6;        // of display errors, about: what joins a largest error to a PSNR
 constexpr double kDisplayChange = 0.215;  // of the signal at middle grey, for a relative change of the light
 constexpr int kMostMeasured = 5;          // configurations beside the probe, for each material
+constexpr double kWorthATry =
+    6;  // dB that filtered lookups may be expected to miss by, as `reference` costs a hundred times more
 constexpr double kLowestLevel = 15, kHighestLevel = 70;
 
 constexpr Configuration kReference{EstimatorKind::reference, 0};
@@ -214,11 +216,21 @@ void Planner::settle(size_t subject) {
     Choice& choice = m_choices[subject];
     const PlanSubject& of = m_subjects[subject];
     const bool asks_quality = level_of(m_target) > 0;
-    for (int tries = 0; tries < kMostMeasured && choice.configuration != kReference; ++tries) {
-        if (!asks_quality || forecast.knows(choice.configuration)) break;
-        const Closeness found = of.truth.closeness(shader_of(subject, choice.configuration));
-        forecast.learn(choice.configuration, std::min(credit(found, m_target), kHighestLevel));
+    const auto measure = [&](const Configuration& configuration) {
+        const Closeness found = of.truth.closeness(shader_of(subject, configuration));
+        forecast.learn(configuration, std::min(credit(found, m_target), kHighestLevel));
         choice = choose_next(subject);
+    };
+    for (int tries = 0; asks_quality && tries < kMostMeasured; ++tries) {
+        const Configuration& finest = configurations().back();
+        const bool is_last_resort =
+            choice.configuration == kReference && !forecast.knows(finest) && forecast.dense(finest, 0) > m_level - kWorthATry;
+        if (is_last_resort)
+            measure(finest);
+        else if (choice.configuration != kReference && !forecast.knows(choice.configuration))
+            measure(choice.configuration);
+        else
+            break;
     }
     m_plans[subject] = plan_of(subject);
 }
