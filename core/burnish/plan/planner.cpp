@@ -216,8 +216,9 @@ void Planner::settle(size_t subject) {
     Choice& choice = m_choices[subject];
     const PlanSubject& of = m_subjects[subject];
     const bool asks_quality = level_of(m_target) > 0;
-    const auto measure = [&](const Configuration& configuration) {
-        const Closeness found = of.truth.closeness(shader_of(subject, configuration));
+    const auto measure = [&](const Configuration& configuration, bool is_last_resort) {
+        Closeness found = of.truth.closeness(shader_of(subject, configuration));
+        if (is_last_resort) found.low_db = found.psnr_db;  // caution would cost a hundred times more
         forecast.learn(configuration, std::min(credit(found, m_target), kHighestLevel));
         choice = choose_next(subject);
     };
@@ -226,9 +227,9 @@ void Planner::settle(size_t subject) {
         const bool is_last_resort =
             choice.configuration == kReference && !forecast.knows(finest) && forecast.dense(finest, 0) > m_level - kWorthATry;
         if (is_last_resort)
-            measure(finest);
+            measure(finest, true);
         else if (choice.configuration != kReference && !forecast.knows(choice.configuration))
-            measure(choice.configuration);
+            measure(choice.configuration, false);
         else
             break;
     }

@@ -24,8 +24,8 @@ def furnace(**settings):
 
 
 def albedo(description):
-    """Of the views, true to a thousandth."""
-    return Lobe(description).albedo(WO, 16384)[:, 0].astype(np.float64)
+    """Of the views, true to two thousandths."""
+    return Lobe(description).albedo(WO, 4096)[:, 0].astype(np.float64)
 
 
 def shown(description, estimator):
