@@ -223,16 +223,12 @@ void Planner::settle(size_t subject) {
         choice = choose_next(subject);
     };
     for (int tries = 0; asks_quality && tries < kMostMeasured; ++tries) {
-        const Configuration& finest = configurations().back();
-        const bool is_last_resort =
-            choice.configuration == kReference && !forecast.knows(finest) && forecast.dense(finest, 0) > m_level - kWorthATry;
-        if (is_last_resort)
-            measure(finest, true);
-        else if (choice.configuration != kReference && !forecast.knows(choice.configuration))
-            measure(choice.configuration, false);
-        else
-            break;
+        if (choice.configuration == kReference || forecast.knows(choice.configuration)) break;
+        measure(choice.configuration, false);
     }
+    const Configuration& finest = configurations().back();
+    if (choice.configuration == kReference && asks_quality && forecast.dense(finest, 0) > m_level - kWorthATry)
+        measure(finest, true);
     m_plans[subject] = plan_of(subject);
 }
 
