@@ -82,7 +82,7 @@ def run_burnish(scene, program, folder, family, lookups, settings, threads, repe
         _, *seconds = timed([program, "composite", shot, "--quiet", *words])
         said = json.loads(report.read_text())
         once, frame = said["seconds"], said["frames"][0]["seconds"]
-        times.append((frame["surface"] + frame["shading"], once["light"] + once["tables"], *seconds))
+        times.append((frame["surface"] + frame["shading"], once["light"] + frame["tables"], *seconds))
     overlay = scenes.stacked(scenes.read_exr(output), *(f"burnish_spec.{c}" for c in "RGB"))
     density = settings.get("density") or f"sparse, safety {settings.get('safety', 2)}"
     name = f"default ({density})" if family == "default" else f"{family} {lookups}, {density}"
