@@ -22,41 +22,34 @@ bool same(const DensitySettings& a, const DensitySettings& b) {
     return fields(a) == fields(b);
 }
 
-/// The entry of these, made by `make` where there is none.
-template <class Entries, class Settings, class Make>
-auto& entry_of(Entries& entries, const std::string& name, bool is_distant, const Settings& settings, Make&& make) {
-    const auto found = std::ranges::find_if(
-        entries, [&](const auto& e) { return e.name == name && e.is_distant == is_distant && same(e.settings, settings); });
-    if (found != entries.end()) return *found;
-    auto& entry = entries.emplace_back(name, is_distant, settings, std::nullopt, nullptr);
-    make(entry);
-    return entry;
+/// What shades or predicts under the chain: by the tables of `all` that were made so, or by new ones.
+template <class Distant, class Shared, class All, class Settings>
+Distant ready(All& all, const std::string& name, const Material& material, const Rig& rig, const RigChain& chain,
+              const Settings& settings) {
+    using Tables = std::variant<Distant, std::shared_ptr<const Shared>>;
+    const bool is_distant = rig.is_distant(chain);
+    auto made = std::ranges::find_if(all, [&](const auto& own) {
+        return own.name == name && std::holds_alternative<Distant>(own.tables) == is_distant && same(own.settings, settings);
+    });
+    if (made == all.end()) {
+        Tables tables = is_distant ? Tables(Distant(material, *rig.environment(), settings))
+                                   : Tables(std::make_shared<const Shared>(material, settings));
+        made = all.insert(all.end(), {name, settings, std::move(tables)});
+    }
+    if (is_distant) return std::get<Distant>(made->tables);
+    return Distant(std::get<std::shared_ptr<const Shared>>(made->tables), rig.chain(chain));
 }
 
 }  // namespace
 
 MaterialShader ReadyMaterials::shader(const std::string& name, const Material& material, const Rig& rig, const RigChain& chain,
                                       const EstimatorSettings& settings) {
-    const bool is_distant = rig.is_distant(chain);
-    const Shading& ready = entry_of(m_shading, name, is_distant, settings, [&](Shading& own) {
-        if (is_distant)
-            own.distant.emplace(material, *rig.environment(), settings);
-        else
-            own.taps = std::make_shared<const MaterialTaps>(material, settings);
-    });
-    return is_distant ? *ready.distant : MaterialShader(ready.taps, rig.chain(chain));
+    return ready<MaterialShader, MaterialTaps>(m_shaders, name, material, rig, chain, settings);
 }
 
 BandwidthPredictor ReadyMaterials::predictor(const std::string& name, const Material& material, const Rig& rig,
                                              const RigChain& chain, const DensitySettings& settings) {
-    const bool is_distant = rig.is_distant(chain);
-    const Prediction& ready = entry_of(m_predictions, name, is_distant, settings, [&](Prediction& own) {
-        if (is_distant)
-            own.distant.emplace(material, *rig.environment(), settings);
-        else
-            own.probes = std::make_shared<const MaterialProbes>(material, settings);
-    });
-    return is_distant ? *ready.distant : BandwidthPredictor(ready.probes, rig.chain(chain));
+    return ready<BandwidthPredictor, MaterialProbes>(m_predictors, name, material, rig, chain, settings);
 }
 
 }  // namespace burnish

@@ -6,8 +6,10 @@
 #include <burnish/shading/local_prediction.h>
 #include <burnish/shading/local_shading.h>
 
-#include <deque>
+#include <memory>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace burnish {
 
@@ -20,23 +22,16 @@ public:
                                  const DensitySettings& settings);
 
 private:
-    struct Shading {
+    /// What was made for a name and settings: tables of the environment alone, or tables that chains share.
+    template <class Settings, class Distant, class Shared>
+    struct Made {
         std::string name;
-        bool is_distant;
-        EstimatorSettings settings;
-        std::optional<MaterialShader> distant;
-        std::shared_ptr<const MaterialTaps> taps;  // under chains
-    };
-    struct Prediction {
-        std::string name;
-        bool is_distant;
-        DensitySettings settings;
-        std::optional<BandwidthPredictor> distant;
-        std::shared_ptr<const MaterialProbes> probes;  // under chains
+        Settings settings;
+        std::variant<Distant, std::shared_ptr<const Shared>> tables;
     };
 
-    std::deque<Shading> m_shading;
-    std::deque<Prediction> m_predictions;
+    std::vector<Made<EstimatorSettings, MaterialShader, MaterialTaps>> m_shaders;
+    std::vector<Made<DensitySettings, BandwidthPredictor, MaterialProbes>> m_predictors;
 };
 
 }  // namespace burnish
