@@ -1,13 +1,6 @@
 #include <burnish/job/run.h>
 
-#include <burnish/base/error.h>
-#include <burnish/base/parallel.h>
-#include <burnish/job/shot_file.h>
-#include <burnish/job/stages.h>
-#include <burnish/output/exr_threads.h>
-#include <burnish/output/exr_writer.h>
-
-#include <nlohmann/json.hpp>
+#include <burnish/job/run_reported.h>
 
 #include <algorithm>
 
@@ -23,18 +16,6 @@ void run_frames(const Job& job, const FlowSettings& flow, const Progress& progre
     progress.report("done", 1.0f);
 }
 
-void write_report(const Job& job, const Report& report) {
-    if (!job.output.report.empty()) write_text(job.output.report, report_to_json(report).dump(2) + "\n");
-}
-
-/// What made the run fail is the error to tell, not a report that could not be written either.
-void write_report_of_failure(const Job& job, const Report& report) {
-    try {
-        write_report(job, report);
-    } catch (const Error&) {
-    }
-}
-
 }  // namespace
 
 std::string_view version() { return BURNISH_VERSION; }
@@ -46,19 +27,7 @@ int exit_code(const Report& report) {
 }
 
 Report run(const Job& job, const Progress& progress, const FlowSettings& flow) {
-    const ThreadLimit limit(job.threads);
-    const ExrThreads exr_threads(job.threads);
-    Report report;
-    report.version = version();
-    report.job = job_to_json(job).dump();
-    try {
-        timed(report.seconds, "total", [&] { run_frames(job, flow, progress, report); });
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::cancelled) write_report_of_failure(job, report);
-        throw;
-    }
-    write_report(job, report);
-    return report;
+    return run_reported(job, [&](Report& report) { run_frames(job, flow, progress, report); });
 }
 
 }  // namespace burnish

@@ -1,21 +1,15 @@
 #include <burnish/job/run_progressive.h>
 
 #include <burnish/base/error.h>
-#include <burnish/base/parallel.h>
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/build_lights.h>
 #include <burnish/job/frame_tasks.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/refinement.h>
-#include <burnish/job/run.h>
-#include <burnish/job/shot_file.h>
+#include <burnish/job/run_reported.h>
 #include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 #include <burnish/job/write_frame.h>
-#include <burnish/output/exr_threads.h>
-#include <burnish/output/exr_writer.h>
-
-#include <nlohmann/json.hpp>
 
 namespace burnish {
 namespace {
@@ -107,20 +101,15 @@ void run_steps(const Job& job, const Progress& progress, const std::function<voi
 }  // namespace
 
 Report run_progressive(const Job& job, const Progress& progress, const std::function<void(const StepReport&)>& told) {
-    const ThreadLimit limit(job.threads);
-    const ExrThreads exr_threads(job.threads);
-    Report report;
-    report.version = version();
-    report.job = job_to_json(job).dump();
-    try {
-        timed(report.seconds, "total", [&] { run_steps(job, progress, told, report); });
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::cancelled || report.frames.empty()) throw;
-        report.notes.push_back("stopped while refining: the files hold step " +
-                               std::to_string(report.frames.front().steps.back().step));
-    }
-    if (!job.output.report.empty()) write_text(job.output.report, report_to_json(report).dump(2) + "\n");
-    return report;
+    return run_reported(job, [&](Report& report) {
+        try {
+            run_steps(job, progress, told, report);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::cancelled || report.frames.empty()) throw;
+            report.notes.push_back("stopped while refining: the files hold step " +
+                                   std::to_string(report.frames.front().steps.back().step));
+        }
+    });
 }
 
 }  // namespace burnish
