@@ -91,6 +91,12 @@ def test_a_sequence_keeps_its_plan(cli, shot):
     assert first["plan"] == second["plan"]
 
 
+def test_a_target_that_the_time_does_not_allow_is_told(cli, shot):
+    result = cli(*shot, "--psnr", "60", "--time", "0.001s")
+    assert result.code == 0
+    assert "burnish: warning: the target is missed: chrome: " in result.err
+
+
 @pytest.mark.parametrize("wrong", [("--psnr", "high"), ("--time", "2 weeks"), ("--max-error", "3")])
 def test_wrong_targets_are_refused(cli, shot, wrong):
     name, message = cli(*shot, *wrong).error

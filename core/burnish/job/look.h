@@ -5,7 +5,7 @@
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
 #include <burnish/material/diffuse_reflectance.h>
-#include <burnish/plan/planner.h>
+#include <burnish/plan/lobe_choice.h>
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/predictor.h>
 

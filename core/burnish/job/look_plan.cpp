@@ -53,13 +53,13 @@ EstimatorSettings truth_settings(EstimatorSettings settings, const QualityTarget
 }  // namespace
 
 std::vector<ShadingSettings> LookPlan::plan(const Look& look, const LitFrame& frame, const Progress& progress) {
-    m_shading = look.shading;
+    m_shading = look.shading, m_progress = progress, m_done = 0;
     m_frame.clear();
     const size_t count = pixels_to_check(look, frame, m_target);
     std::vector<PlanSubject> subjects;
     std::vector<size_t> fresh;
     for (size_t i = 0; i < frame.looks().size(); ++i) {
-        progress.report("planning", 0.0f);
+        m_progress.report("planning", m_done);
         const auto shader = [&](const EstimatorSettings& settings) {
             return equip_shader(look, frame.looks()[i], {settings, {}, {}});
         };
@@ -73,7 +73,7 @@ std::vector<ShadingSettings> LookPlan::plan(const Look& look, const LitFrame& fr
             continue;
         }
         fresh.push_back(i);
-        subjects.push_back(subject_of(look, frame, i, truth, progress));
+        subjects.push_back(subject_of(look, frame, i, truth));
     }
     if (!fresh.empty()) {
         const auto planner = std::make_shared<Planner>(std::move(subjects), m_target, look.shading.estimator, machine_costs());
@@ -86,12 +86,11 @@ std::vector<ShadingSettings> LookPlan::plan(const Look& look, const LitFrame& fr
     return shading();
 }
 
-PlanSubject LookPlan::subject_of(const Look& look, const LitFrame& frame, size_t index, Truth truth,
-                                 const Progress& progress) const {
+PlanSubject LookPlan::subject_of(const Look& look, const LitFrame& frame, size_t index, Truth truth) const {
     PlanSubject subject{
         &look.wardrobe.materials[frame.looks()[index].rule], std::move(truth), cost_case(look, frame, index), {}, {0}};
-    subject.shader = [&look, lit = frame.looks()[index], progress](const EstimatorSettings& settings, const LobeChoice& lobes) {
-        progress.report("planning", 0.0f);
+    subject.shader = [this, &look, lit = frame.looks()[index]](const EstimatorSettings& settings, const LobeChoice& lobes) {
+        m_progress.report("planning", m_done);
         return equip_shader(look, lit, {settings, {}, lobes});
     };
     if (look.shading.density.density == ShadingDensity::sparse) subject.safeties.clear();
@@ -116,6 +115,7 @@ std::vector<ShadingSettings> LookPlan::shading() const {
 
 bool LookPlan::correct(const Image& overlay) {
     check(overlay);
+    m_done = kFirstShading;
     bool changed = false;
     for (Shown& shown : m_frame) {
         shown.is_corrected = shown.planned.planner->correct(shown.planned.subject, shown.found);
@@ -145,6 +145,7 @@ std::vector<PlanReport> LookPlan::reports(const Look& look) const {
         report.expected_db = plan.expected_db, report.expected_seconds = plan.expected_seconds;
         report.found_db = shown.found.psnr_db, report.least_db = shown.found.low_db, report.largest_error = shown.found.largest;
         report.checked_pixels = shown.found.pixels, report.is_corrected = shown.is_corrected;
+        report.is_missed = misses(shown.found, m_target);
     }
     return reports;
 }

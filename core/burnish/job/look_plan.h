@@ -13,6 +13,9 @@
 
 namespace burnish {
 
+/// Share of a frame's progress that its first shading takes.
+inline constexpr float kFirstShading = 0.5f;
+
 class LookPlan {
 public:
     explicit LookPlan(const QualityTarget& target) : m_target(target) {}
@@ -21,13 +24,13 @@ public:
     /// Throws Error(cancelled).
     std::vector<ShadingSettings> plan(const Look& look, const LitFrame& frame, const Progress& progress);
     /// Compares what was shaded so with the exact integral at some pixels. Whether a plan has changed, as it missed: then the frame
-    /// is to be shaded again, once.
+    /// is to be shaded again, once, in the second half of its progress. Throws Error(cancelled).
     bool correct(const Image& overlay);
-    /// The same without consequences: for what was shaded again.
+    /// `correct` without consequences: for what was shaded again.
     void check(const Image& overlay);
     /// Settings of the frame at hand, after `correct` said so.
     std::vector<ShadingSettings> shading() const;
-    /// On the frame at hand; `names`: of the materials.
+    /// On the frame at hand.
     std::vector<PlanReport> reports(const Look& look) const;
 
 private:
@@ -45,11 +48,13 @@ private:
         bool is_corrected = false;
     };
 
-    PlanSubject subject_of(const Look& look, const LitFrame& frame, size_t index, Truth truth, const Progress& progress) const;
+    PlanSubject subject_of(const Look& look, const LitFrame& frame, size_t index, Truth truth) const;
     ShadingSettings settings_of(const Planned& planned) const;
 
     QualityTarget m_target;
     ShadingSettings m_shading;  // of the job
+    Progress m_progress;        // of the frame at hand
+    float m_done = 0;           // of it
     std::map<std::pair<size_t, RigChain>, Planned> m_planned;
     std::vector<Shown> m_frame;
 };

@@ -181,19 +181,18 @@ FrameResult run_frame(const Job& job, const AovFrame& frame, const AovFrame* fin
     std::vector<ShadingSettings> settings;
     if (look.plan) settings = timed(seconds, "planning", [&] { return look.plan->plan(look, *lit, progress); });
     ShadedFrame shaded, old;
-    const auto shade = [&] {
+    const auto shade = [&](const Progress& part) {
         const Equipment equipment = timed(seconds, "tables", [&] { return equip(look, lit->looks(), settings); });
         timed(seconds, "shading", [&] {
-            shaded = lit->shade(equipment.shaders, equipment.predictors, part_of(progress, 0.0f, difference ? 0.5f : 1.0f),
+            shaded = lit->shade(equipment.shaders, equipment.predictors, part_of(part, 0.0f, difference ? 0.5f : 1.0f),
                                 job.output.diagnostics);
-            if (difference)
-                old = lit->shade(equipment.old_shaders, equipment.old_predictors, part_of(progress, 0.5f, 1.0f), false);
+            if (difference) old = lit->shade(equipment.old_shaders, equipment.old_predictors, part_of(part, 0.5f, 1.0f), false);
         });
     };
-    shade();
+    shade(look.plan ? part_of(progress, 0.0f, kFirstShading) : progress);
     if (look.plan && timed(seconds, "checking", [&] { return look.plan->correct(shaded.overlay); })) {
         settings = look.plan->shading();
-        shade();
+        shade(part_of(progress, kFirstShading, 1.0f));
         timed(seconds, "checking", [&] { look.plan->check(shaded.overlay); });
     }
     FrameResult result = lit->finish(job, std::move(shaded), difference ? &old : nullptr);
@@ -222,6 +221,8 @@ FrameReport frame_report(const Job& job, const AovFrame& frame, const AovFrame* 
     report.lookups = tally.lookups;
     report.seconds = tally.seconds;
     report.plan = tally.plan;
+    for (const PlanReport& plan : tally.plan)
+        if (plan.is_missed) report.warnings.push_back("the target is missed: " + summary(plan));
     return report;
 }
 

@@ -46,7 +46,8 @@ json plan_to_json(const PlanReport& plan) {
                    {"least_db", number_or_null(plan.least_db)},
                    {"largest_error", plan.largest_error},
                    {"checked_pixels", plan.checked_pixels},
-                   {"corrected", plan.is_corrected}};
+                   {"corrected", plan.is_corrected},
+                   {"missed", plan.is_missed}};
     if (plan.safety > 0) result["safety"] = plan.safety;
     if (plan.tolerance > 0) result["tolerance"] = plan.tolerance;
     return result;

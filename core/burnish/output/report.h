@@ -32,6 +32,7 @@ struct PlanReport {
     double largest_error = 0;  // of white
     size_t checked_pixels = 0;
     bool is_corrected = false;  // the first plan missed the target
+    bool is_missed = false;     // the last one, too
 };
 
 /// One picture of a frame that was refined step by step.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numeric>
 
 namespace burnish {
 namespace {
@@ -36,19 +35,6 @@ float tolerance_for(double db) {
 
 }  // namespace
 
-LobeChoice all_lobes(const Material& material) {
-    LobeChoice all(material.lobes.size());
-    std::iota(all.begin(), all.end(), size_t{0});
-    return all;
-}
-
-Material with_lobes(const Material& material, const LobeChoice& lobes) {
-    Material result = material;
-    result.lobes.clear();
-    for (const size_t lobe : lobes) result.lobes.push_back(material.lobes[lobe]);
-    return result;
-}
-
 double level_of(const QualityTarget& target) {
     const double by_largest = target.max_error > 0 ? level_of_largest(target.max_error) : 0;
     return std::max<double>(target.psnr, by_largest);
@@ -59,6 +45,10 @@ double credit(const Closeness& closeness, const QualityTarget& target) {
     if (target.max_error <= 0) return by_mean;
     const double room = 20 * std::log10(target.max_error / std::max(closeness.largest, 1e-9));
     return std::min(by_mean, level_of(target) + room);
+}
+
+bool misses(const Closeness& closeness, const QualityTarget& target) {
+    return closeness.psnr_db < target.psnr - kToleratedMiss || (target.max_error > 0 && closeness.largest > target.max_error);
 }
 
 float truth_tolerance(const QualityTarget& target) {

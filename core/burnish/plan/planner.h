@@ -9,6 +9,7 @@
 
 #include <burnish/plan/cost_model.h>
 #include <burnish/plan/forecast.h>
+#include <burnish/plan/lobe_choice.h>
 #include <burnish/plan/quality_target.h>
 #include <burnish/plan/truth.h>
 
@@ -20,12 +21,6 @@
 #include <vector>
 
 namespace burnish {
-
-/// Places in Material::lobes, ascending; of all that are worth their cost.
-using LobeChoice = std::vector<size_t>;
-LobeChoice all_lobes(const Material& material);
-/// The material with these lobes alone.
-Material with_lobes(const Material& material, const LobeChoice& lobes);
 
 /// A material under its lights in one frame.
 struct PlanSubject {
@@ -49,6 +44,8 @@ struct MaterialPlan {
 double level_of(const QualityTarget& target);
 /// What a closeness counts for: its dB, but no more than a quarter above what it is at least; less where single pixels miss.
 double credit(const Closeness& closeness, const QualityTarget& target);
+/// Whether what was found misses what was asked, by more than half a dB or at a single pixel; a time asks for no quality.
+bool misses(const Closeness& closeness, const QualityTarget& target);
 /// Tolerance of `reference` at which a few hundred pixels tell whether the target is met.
 float truth_tolerance(const QualityTarget& target);
 
@@ -56,6 +53,9 @@ class Planner {
 public:
     Planner(std::vector<PlanSubject> subjects, const QualityTarget& target, const EstimatorSettings& settings,
             const MachineCosts& machine);
+
+    Planner(const Planner&) = delete;
+    Planner& operator=(const Planner&) = delete;
 
     /// One a subject.
     const std::vector<MaterialPlan>& plans() const { return m_plans; }

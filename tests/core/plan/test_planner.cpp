@@ -106,6 +106,15 @@ TEST_F(Plans, FallBackToTheReferenceForWhatNothingElseReaches) {
     EXPECT_EQ(planner.plans()[0].estimator.kind, EstimatorKind::reference) << in_words(planner.plans()[0]);
 }
 
+TEST(Misses, AreWhatWasAskedAndIsNotThere) {
+    Closeness found;
+    found.psnr_db = 44.6, found.largest = 0.03;
+    EXPECT_FALSE(misses(found, {45, 0, 0}));
+    EXPECT_TRUE(misses(found, {45.2f, 0, 0}));
+    EXPECT_TRUE(misses(found, {40, 0.02f, 0}));
+    EXPECT_FALSE(misses(found, {0, 0, 0.1f}));
+}
+
 TEST(Credit, IsCautiousWithFewPixels) {
     Closeness found;
     found.psnr_db = 45, found.low_db = 42, found.largest = 0.03;
