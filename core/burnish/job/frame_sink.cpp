@@ -6,7 +6,7 @@ namespace burnish {
 namespace {
 
 void name(const FrameTask& task, FrameReport& entry) {
-    entry.frame = task.frame, entry.input = task.aovs, entry.output = task.output;
+    entry.frame = task.frame, entry.view = task.view, entry.input = task.aovs, entry.output = task.output;
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ void FrameSink::take(Band& band, const Look* look) {
 
 void FrameSink::begin_frame(size_t task) {
     m_task = task, m_rows = 0, m_tally = {};
-    m_writer.emplace(m_job, m_color, m_tasks[task]);
+    m_writer.emplace(m_job, m_color, m_tasks[task], m_output, m_hash);
     FrameReport& entry = m_report.frames.emplace_back();
     name(m_tasks[task], entry);
     entry.status = FrameStatus::failed;

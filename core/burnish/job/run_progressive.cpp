@@ -18,7 +18,7 @@ FrameTask only_task(const Job& job) {
     std::vector<FrameTask> tasks = frame_tasks(job);
     if (tasks.size() == 1) return std::move(tasks.front());
     throw Error(ErrorCode::bad_argument, "progressive: expected one frame, found " + std::to_string(tasks.size()) +
-                                             "; choose one with --frames N, or leave --progressive out");
+                                             "; choose one with --frames N or --view NAME, or leave --progressive out");
 }
 
 /// What is read before the first picture.
@@ -28,9 +28,10 @@ struct Shot {
 
     Shot(const Job& job, const FrameTask& task, const Wardrobe& wardrobe) {
         const bool has_fine = !task.fine_aovs.empty();
-        frame = read_job_frame(job, wardrobe, task.aovs, task.camera, has_fine ? FramePart::picture : FramePart::whole);
+        frame = read_job_frame(job, wardrobe, task.aovs, task.camera, has_fine ? FramePart::picture : FramePart::whole,
+                               task.view_in_file);
         if (!has_fine) return;
-        fine = read_job_frame(job, wardrobe, task.fine_aovs, task.camera, FramePart::surfaces);
+        fine = read_job_frame(job, wardrobe, task.fine_aovs, task.camera, FramePart::surfaces, task.view_in_file);
         check_samples(sample_grid(frame, *fine), frame, *fine);
     }
 
@@ -56,7 +57,8 @@ public:
         FrameReport entry = frame_report(m_job, shot.frame, shot.samples(), look, refined.result.tally);
         entry.frame = m_task.frame, entry.input = m_task.aovs, entry.output = m_task.output;
         timed(entry.seconds, "writing", [&] {
-            FrameWriter writer(m_job, m_color, m_task);
+            JoinedOutput output(m_job);
+            FrameWriter writer(m_job, m_color, m_task, output);
             writer.append(shot.frame.data_window, shot.frame, refined.result);
             writer.finish();
         });
