@@ -3,6 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/build_lights.h>
+#include <burnish/job/color_check.h>
 #include <burnish/job/frame_tasks.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/refinement.h>
@@ -10,6 +11,9 @@
 #include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 #include <burnish/job/write_frame.h>
+
+#include <algorithm>
+#include <iterator>
 
 namespace burnish {
 namespace {
@@ -89,6 +93,7 @@ void run_steps(const Job& job, const Progress& progress, const std::function<voi
     Wardrobe wardrobe = prepare_wardrobe(job);
     report.warnings = wardrobe.warnings;
     const Shot shot = timed(report.seconds, "reading", [&] { return Shot(job, task, wardrobe); });
+    std::ranges::move(color_warnings(job, shot.frame), std::back_inserter(wardrobe.warnings));
     Rig rig = rig_of(job, wardrobe, color, shot.light_frame(task), report);
     Refinement refinement(job, shot.frame, shot.samples(), std::move(wardrobe), std::move(rig), nullptr);
     Watched watched(job, color, task, report);
