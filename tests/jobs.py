@@ -1,5 +1,6 @@
-"""Fixtures of tests that run small jobs on the command line: `from jobs import composite, work`."""
+"""Fixtures of tests that run small jobs from file to file: `from jobs import composite, work`."""
 
+import burnish
 import pytest
 import scenes
 
@@ -13,12 +14,12 @@ def work(tmp_path):
 
 
 @pytest.fixture
-def composite(cli, work):
-    """Run a job in the folder; must succeed unless told otherwise."""
+def composite(work):
+    """Run a job in the folder; the settings `camera` and `preview` are names of files there. Returns the report."""
 
-    def run(aovs, *words, output="out.exr", material="chrome", fails=False):
-        result = cli("composite", aovs, "--env", "sky.exr", "--material", material, "-o", output, *words, cwd=work)
-        assert fails or result.code == 0, result.err
-        return result
+    def run(aovs, output="out.exr", material="chrome", **settings):
+        for name in {"camera", "preview"} & settings.keys():
+            settings[name] = str(work / settings[name])
+        return burnish.run({"aovs": str(work / aovs)}, env=str(work / "sky.exr"), material=material, output=str(work / output), **settings)
 
     return run

@@ -2,15 +2,13 @@
 
     python3 tests/bench/sample_files.py ../shared/data > docs/sample_files.md
 
-Runs `burnish info` (as a Python call, which prints the same) and `burnish composite` on each: as the frame, under a plain environment and in one material; files of env/ as the
-environment of a plain frame. `test_sample_files.py` holds that the table says what happens.
+Does on each what `burnish info` and `burnish composite` do: as the frame, under a plain environment and in one material; files of env/ as
+the environment of a plain frame. `test_sample_files.py` holds that the table says what happens.
 """
 
 import os
 import pathlib
 import re
-import resource
-import subprocess
 import sys
 import tempfile
 
@@ -22,9 +20,6 @@ import burnish  # noqa: E402
 import scenes  # noqa: E402
 
 FOLDERS = ("env", "exr_aov", "exr_spec", "exr_bad")
-MOST_MEMORY = 3 << 30
-MOST_SECONDS = 60
-ERROR = re.compile(r"^burnish: error: (E_[A-Z_]+) (.+)$")
 
 HEAD = """# Sample files
 
@@ -56,29 +51,23 @@ def descriptions(data):
     return told
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-
-
 def why(message, file):
     """The reason of a refusal without the file's name and without the remedy."""
     return re.split(r"; | \(|: Failed|: OpenEXR|\. ", message.removeprefix(f"{file}: "))[0]
 
 
 class Composite:
-    """How `burnish composite` with a file ended: its exit code, and the error line if it failed."""
+    """How a job with a file ended: `error` is what it was refused with, else None."""
 
     def __init__(self, data, file, plain):
-        frame, light = (plain / "plain.exr", file) if file.parts[0] == "env" else (file, plain / "sky.exr")
-        self.output = plain / f"{file.name}.out.exr"
-        words = ["composite", frame, "--env", light, "--material", "chrome", "--env-face-size", 64, "-o", self.output]
-        run = subprocess.run([BUILD / "bin" / "burnish", *map(str, words)], cwd=pathlib.Path(data) / "public", preexec_fn=limit_memory,
-                             capture_output=True, text=True, timeout=MOST_SECONDS)
-        lines = [line for line in run.stderr.splitlines() if not line.startswith("burnish: warning:")]
-        match = ERROR.match(lines[0]) if len(lines) == 1 else None
-        self.code, self.err = run.returncode, run.stderr
-        self.error, self.message = match.groups() if match else ("", "")
-        self.is_clean = (self.code == 0 and not lines) or (self.code in (1, 2) and match is not None and str(file) in self.message)
+        path = pathlib.Path(data) / "public" / file
+        frame, light = (plain / "plain.exr", path) if file.parts[0] == "env" else (path, plain / "sky.exr")
+        self.output, self.error = plain / f"{file.name}.out.exr", None
+        try:
+            burnish.run({"aovs": str(frame), "material": "chrome", "output": {"file": str(self.output)},
+                         "lights": {"sky": {"file": str(light), "face_size": 64}}})
+        except burnish.Error as error:
+            self.error = error
 
 
 def read_as(data, file):
@@ -94,7 +83,8 @@ def read_as(data, file):
 
 def row(data, file, what, composite):
     """A line of the table."""
-    done = "processed" if composite.code == 0 else f"refused, `{composite.error}`: {why(composite.message, file)}"
+    path = pathlib.Path(data) / "public" / file
+    done = f"refused, `{composite.error.code}`: {why(str(composite.error), path)}" if composite.error else "processed"
     cells = [f"`{file}`", what, read_as(data, file), done]
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 

@@ -56,7 +56,11 @@ void FrameSink::tell(const Band& band, const Look& look) {
 
 /// A fault of the frame itself is told and passed over, or ends the run, as the job says.
 void FrameSink::drop_frame(const Band& band, const Error& error) {
-    m_report.frames.back().error = std::string(error_name(error.code())) + " " + error.what();
+    FrameReport& failed = m_report.frames.back();
+    failed.error = std::string(error_name(error.code())) + " " + error.what();
+    for (FrameReport& entry : m_report.frames)  // views that share the output
+        if (entry.status == FrameStatus::done && entry.output == failed.output)
+            entry.status = FrameStatus::failed, entry.error = failed.error;
     if (is_passed_over(m_job, error)) return;
     const FrameTask& task = m_tasks[band.task];
     throw Error(error.code(), (task.frame ? "frame=" + std::to_string(*task.frame) + " " : "") + error.what());
