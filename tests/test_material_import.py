@@ -22,15 +22,13 @@ def mtlx(kind, inputs="", name="M", version=""):
 
 
 @pytest.fixture
-def read(cli, tmp_path):
+def read(tmp_path):
     """The materials of a text: name -> {"kd", "lobes", "notes"}."""
 
     def run(text, suffix=None):
         file = tmp_path / ("m" + (suffix or (".mtlx" if text.startswith("<") else ".gltf")))
         file.write_text(text) if isinstance(text, str) else file.write_bytes(text)
-        result = cli("models", file, "--json")
-        assert result.code == 0, result.err
-        return {entry["name"]: {**entry["material"], "notes": entry["notes"]} for entry in json.loads(result.out)}
+        return {entry["name"]: {**entry["material"], "notes": entry["notes"]} for entry in burnish.read_materials(file)}
 
     return run
 
@@ -179,8 +177,11 @@ def test_one_of_several_is_chosen_by_name(cli, read, tmp_path):
     words = ["composite", "beauty.exr", "--env", "sky.exr", "-o", "out.exr", "--material"]
     assert cli(*words, "m.glb#glass é", cwd=tmp_path).code == 0
     for name, parts in (("m.glb", ["3 materials", "m.glb#paint"]), ("m.glb#pant", ['did you mean "paint"', "material_1"])):
-        result = cli(*words, name, cwd=tmp_path)
-        assert result.code == 2 and all(part in result.error[1] for part in parts), result.err
+        with pytest.raises(burnish.BadArgument) as told:
+            burnish.check_energy(str(tmp_path / name))
+        assert all(part in str(told.value) for part in parts)
+    listed = cli("models", "m.glb", cwd=tmp_path)
+    assert [line for line in listed.out.splitlines() if line.startswith("m.glb#")] == [f"m.glb#{name}" for name in names]
 
 
 def test_a_composite_of_an_imported_metal_is_that_of_its_numbers(cli, tmp_path):
@@ -225,15 +226,31 @@ def test_a_composite_of_an_imported_metal_is_that_of_its_numbers(cli, tmp_path):
     (".mtlx", mtlx("standard_surface", "metalness=nan"), "E_BAD_ARGUMENT", "SR.metalness"),
     (".mtlx", mtlx("standard_surface", "metalness=2"), "E_BAD_ARGUMENT", "between 0 and 1"),
 ], ids=range(22))
-def test_files_that_are_not_what_they_should_be(cli, tmp_path, suffix, content, code, part):
+def test_files_that_are_not_what_they_should_be(tmp_path, suffix, content, code, part):
     file = tmp_path / f"m{suffix}"
     file.write_bytes(content if isinstance(content, bytes) else content.encode())
-    result = cli("models", file)
-    assert result.code == (2 if code == "E_BAD_ARGUMENT" else 1)
-    name, message = result.error
-    assert name == code and f"m{suffix}" in message and part in message, message
+    with pytest.raises(burnish.Error) as told:
+        burnish.read_materials(file)
+    assert told.value.code == code and f"m{suffix}" in str(told.value) and part in str(told.value), told.value
 
 
-def test_a_file_that_is_not_there(cli, tmp_path):
-    for suffix in (".gltf", ".glb", ".mtlx"):
-        assert cli("models", tmp_path / f"absent{suffix}").error[0] == "E_READ_FAILED"
+@pytest.mark.parametrize("suffix", [".gltf", ".glb", ".mtlx"])
+def test_a_file_that_is_not_there(tmp_path, suffix):
+    with pytest.raises(burnish.ReadFailed, match="absent"):
+        burnish.read_materials(tmp_path / f"absent{suffix}")
+
+
+def test_damaged_bytes_never_crash(tmp_path):
+    """Every file cut off somewhere, and with a byte changed, is read or refused."""
+    rng = np.random.default_rng(3)
+    texts = {".glb": glb(gltf({"name": "a", "pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.7, 0.3, 1]}}, {"extensions": {"KHR_materials_ior": {"ior": 1.4}}})),
+             ".mtlx": mtlx("standard_surface", "base_color=0.1,0.2,0.3 coat=0.4").encode()}
+    for suffix, whole in texts.items():
+        for _ in range(400):
+            damaged = bytearray(whole[: rng.integers(1, len(whole) + 1)])
+            damaged[rng.integers(len(damaged))] = rng.integers(256)
+            (tmp_path / f"m{suffix}").write_bytes(damaged)
+            try:
+                assert burnish.read_materials(tmp_path / f"m{suffix}")
+            except burnish.Error as error:
+                assert "m" + suffix in str(error) and error.code in ("E_READ_FAILED", "E_BAD_ARGUMENT")

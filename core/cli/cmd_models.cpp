@@ -46,16 +46,12 @@ void print_json() {
 
 /// Each with what was left out of it.
 void print_materials(const std::string& file, bool machine) {
-    json list = json::array();
-    for (const Material& material : read_materials(file)) {
-        const json form = material_to_json(material);
-        list.push_back({{"name", material.name}, {"material", form}, {"notes", material.notes}});
-        if (machine) continue;
-        std::printf("%s#%s\n  %s\n", file.c_str(), material.name.c_str(),
-                    form.dump(-1, ' ', false, json::error_handler_t::replace).c_str());
-        for (const std::string& note : material.notes) std::printf("  note: %s\n", note.c_str());
+    const json list = materials_json(file);
+    if (machine) std::printf("%s\n", list.dump(2).c_str());
+    for (const json& entry : machine ? json::array() : list) {
+        std::printf("%s#%s\n  %s\n", file.c_str(), entry["name"].get<std::string>().c_str(), entry["material"].dump().c_str());
+        for (const json& note : entry["notes"]) std::printf("  note: %s\n", note.get<std::string>().c_str());
     }
-    if (machine) std::printf("%s\n", list.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 
 }  // namespace

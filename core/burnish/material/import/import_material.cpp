@@ -4,6 +4,9 @@
 #include <burnish/base/nearest_name.h>
 #include <burnish/material/import/gltf_materials.h>
 #include <burnish/material/import/materialx_file.h>
+#include <burnish/material/library.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -42,6 +45,13 @@ std::vector<Material> read_materials(const std::string& file) {
     if (materials.empty())
         throw Error(ErrorCode::read_failed, file + ": expected materials, found none; export them with the file");
     return materials;
+}
+
+nlohmann::json materials_json(const std::string& file) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Material& material : read_materials(file))
+        list.push_back({{"name", material.name}, {"material", material_to_json(material)}, {"notes", material.notes}});
+    return nlohmann::json::parse(list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 Material import_material(const std::string& text) {
