@@ -61,6 +61,7 @@ __all__ = [
     "models",
     "presets",
     "preview",
+    "read_materials",
     "read_measured",
     "refine",
     "roles",
@@ -137,6 +138,30 @@ def info(path: _Path) -> dict[str, _Any]:
         The file is absent, corrupt, deep or no EXR.
     """
     return _core.info(path)
+
+
+def read_materials(path: _Path) -> list[dict[str, _Any]]:
+    """The materials of a glTF (.gltf, .glb) or MaterialX (.mtlx) file, their constants as burnish's lobes.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file; a job names one of its materials by "FILE#NAME".
+
+    Returns
+    -------
+    list of dict
+        {"name": str, "material": dict as shot files hold it, "notes": list of what was left out}, in the order of the file. Colours
+        are as in the file, linear Rec.709.
+
+    Raises
+    ------
+    ReadFailed
+        The file is absent, corrupt or holds no such material.
+    BadArgument
+        A number is out of range; the message names the field.
+    """
+    return _core.read_materials(path)
 
 
 def read_measured(path: _Path) -> Measured:

@@ -3,12 +3,16 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/band_source.h>
 #include <burnish/job/build_lights.h>
+#include <burnish/job/color_check.h>
 #include <burnish/job/flow_progress.h>
 #include <burnish/job/frame_sink.h>
 #include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 
 #include <oneapi/tbb/parallel_pipeline.h>
+
+#include <algorithm>
+#include <iterator>
 
 namespace burnish {
 namespace {
@@ -54,6 +58,7 @@ private:
         Rig rig = timed(m_report.seconds, "light",
                         [&] { return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band)); });
         m_look = prepare_look(m_job, m_wardrobe, std::move(rig), {samples_of(band), static_cast<int>(m_frames.size())});
+        std::ranges::move(color_warnings(m_job, band.frame), std::back_inserter(m_look->wardrobe.warnings));
         band.is_run_over = false;
     }
 
