@@ -18,6 +18,7 @@ from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._compositing import composite, refine
 from ._fitting import fit
+from ._shot import Frames, Shot
 from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
     BadArgument,
@@ -43,12 +44,14 @@ __all__ = [
     "Environment",
     "Error",
     "Frame",
+    "Frames",
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
     "Measured",
     "MissingChannel",
     "ReadFailed",
+    "Shot",
     "SizeMismatch",
     "WriteFailed",
     "check_energy",

@@ -133,7 +133,8 @@ def _arguments(aovs, light, materials, fine_aovs, assign, camera, progress, sett
     frame = aovs if isinstance(aovs, (dict, _core.Frame)) else None
     if frame is None:
         settings["aovs"] = aovs
-    settings.update(_wardrobe(materials))
+    if materials is not None:
+        settings.update(one_material(materials, True))
     fine = fine_aovs if isinstance(fine_aovs, dict) else None
     if fine is None and fine_aovs is not None:
         settings["fine_aovs"] = fine_aovs
@@ -141,19 +142,24 @@ def _arguments(aovs, light, materials, fine_aovs, assign, camera, progress, sett
     if masks is None and assign is not None:
         settings["assign"] = assign
     if camera is not None:
-        settings["camera"] = camera if isinstance(camera, (str, dict, PathLike)) else {"position": camera}
+        settings["camera"] = placed_camera(camera)
     return frame, fine, light, masks, settings, progress
 
 
-def _wardrobe(materials):
-    """The settings that say what `composite`'s `materials` mean."""
-    if materials is None:
-        return {}
+def placed_camera(camera: dict | Path | Sequence[float]) -> Any:
+    """The setting `camera`; three numbers are its position."""
+    return camera if isinstance(camera, (str, dict, PathLike)) else {"position": camera}
+
+
+def one_material(materials: str | dict, is_worn: bool) -> dict[str, Any]:
+    """The settings that say what `materials` means: a preset or file, one material, or several by name. `is_worn`: where there is one,
+    the whole frame wears it.
+    """
     if not isinstance(materials, dict):
         return {"material": materials}
     if "lobes" in materials or "model" in materials:
         return {"materials": {"material": materials}, "material": "material"}
     wardrobe = {"materials": materials}
-    if len(materials) == 1:
+    if is_worn and len(materials) == 1:
         wardrobe["material"] = next(iter(materials))
     return wardrobe

@@ -1,0 +1,287 @@
+"""`burnish.Shot`: a shot document as a value that is checked when it is made and never changes."""
+
+from __future__ import annotations
+
+import copy
+import difflib
+import json
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from . import _core
+from ._atomic import write_text
+from ._compositing import one_material, placed_camera
+from .errors import BadArgument
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from ._core import Progress
+
+    Path = str | os.PathLike[str]
+
+
+class Frames(NamedTuple):
+    """Which frames a shot has.
+
+    Attributes
+    ----------
+    numbers : list of int
+        The frames it asks for, in order; where it names none, those on disk, ascending.
+    missing : list of int
+        Those of them that have no file; where the shot names none, the gaps between the first and the last on disk.
+    """
+
+    numbers: list[int]
+    missing: list[int]
+
+
+class Shot:
+    """A shot document as a value: checked at once by the core, never changed, equal when it means the same.
+
+    Every setting can be read as an attribute (``shot.samples``), by the names of `burnish.settings`. Paths are absolute: those
+    of a shot file are taken from its folder, others from the working directory.
+
+    Parameters
+    ----------
+    source : str or os.PathLike or dict or Shot, optional
+        A shot file, a document as a shot file holds it (see `burnish.shot_schema`), or another shot.
+    **settings
+        Settings by name; they win over the source's. `materials` may also be a preset, a file or one material, and `camera` a
+        position, as for `burnish.composite`.
+
+    Raises
+    ------
+    BadArgument
+        A field is unknown or out of range; the message names its path in the document.
+    ReadFailed
+        The shot file is absent.
+
+    Examples
+    --------
+    >>> shot = Shot(aovs="beauty.####.exr", env="studio.hdr", materials="chrome", output="out.####.exr")
+    >>> shot.with_(samples=8).samples
+    8
+    """
+
+    __slots__ = ("_document",)
+    __hash__ = None  # type: ignore[assignment]
+    _document: dict[str, Any]
+
+    def __init__(self, source: Path | Mapping[str, Any] | Shot | None = None, **settings: Any) -> None:
+        here = os.getcwd()
+        if isinstance(source, Shot):
+            source = source._document
+        elif source is not None and not isinstance(source, dict):
+            source = os.path.abspath(source)
+        document = _core.shot_document(source or {}, _spelled_out(settings, is_new=source is None), here)
+        self._document = _with_absolute_materials(document, here)
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """The document as a shot file holds it, a copy; settings at their defaults are left out."""
+        return copy.deepcopy(self._document)
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """Settings by name, a copy; those at their defaults are left out."""
+        return {name: copy.deepcopy(value) for name, value in _by_name(self._document).items()}
+
+    def __getattr__(self, name: str) -> Any:
+        """The value of a setting, or its default."""
+        defaults = {} if name.startswith("_") else {setting["name"]: setting["default"] for setting in _core.settings()}
+        if name not in defaults:
+            near = difflib.get_close_matches(name, defaults, 1)
+            raise AttributeError(f"a shot has no setting '{name}'" + (f"; did you mean '{near[0]}'?" if near else ""))
+        return self.settings.get(name, defaults[name])
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(setting["name"] for setting in _core.settings())})
+
+    def __eq__(self, other: object) -> bool:
+        return self._document == other._document if isinstance(other, Shot) else NotImplemented
+
+    def __repr__(self) -> str:
+        return f"Shot({self._document!r})"
+
+    def with_(self, **changes: Any) -> Shot:
+        """Make the same shot with other settings.
+
+        Parameters
+        ----------
+        **changes
+            Settings by name; lists and objects take the place of the old ones.
+
+        Returns
+        -------
+        Shot
+            A new one; this one stays as it is. Its document is a dict of other settings.
+
+        Raises
+        ------
+        BadArgument
+            A setting is unknown or out of range.
+        """
+        return Shot(self, **changes)
+
+    def write(self, path: Path) -> None:
+        """Write the shot file, whole or not at all; reading it gives an equal shot.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file, ``.json``; its folder is made when it is absent.
+
+        Returns
+        -------
+        None
+            The file holds the document, a JSON object; `document` is the same as a dict.
+
+        Raises
+        ------
+        WriteFailed
+            The file cannot be written.
+        """
+        write_text(path, json.dumps(self._document, indent=2) + "\n")
+
+    def frames(self) -> Frames:
+        """Find the frames on disk.
+
+        Returns
+        -------
+        Frames
+            Lists of frame numbers: ``numbers`` and, of these, ``missing``.
+
+        Raises
+        ------
+        BadArgument
+            `aovs` names one file, or `frames` is no range.
+        """
+        found = _core.frames_on_disk(self.aovs)
+        if "frames" not in self._document:
+            return Frames(found, sorted(set(range(found[0], found[-1])) - set(found)) if found else [])
+        asked = _core.parse_frames(self._document["frames"])
+        return Frames(asked, [number for number in asked if number not in set(found)])
+
+    def composite(self, frame: int | None = None, progress: Progress | None = None, **changes: Any) -> dict[str, Any]:
+        """Composite one frame in memory.
+
+        Parameters
+        ----------
+        frame : int, optional
+            Its number, where `aovs` is a pattern.
+        progress : callable, optional
+            ``progress(stage, done)``, done in [0, 1]; returning False cancels.
+        **changes
+            Settings by name that differ from the shot's.
+
+        Returns
+        -------
+        dict
+            Layers of shape (height, width, channels), float32, linear, and the report: as `burnish.composite`.
+
+        Raises
+        ------
+        BadArgument, MissingChannel, SizeMismatch, ReadFailed, ColorSpaceError
+            What went wrong.
+        Cancelled
+            `progress` returned False.
+        """
+        shot = self.with_(**changes) if changes else self
+        return _core.composite(None, None, None, None, _settings_of_frame(shot._document, frame), progress)
+
+    def run(self, progress: Progress | None = None, **changes: Any) -> dict[str, Any]:
+        """Composite all frames from file to file in this process; `burnish.sequence.run` does it on several, or on a farm.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            ``progress(stage, done)`` with done in [0, 1] over the whole run; returning False cancels.
+        **changes
+            Settings by name that differ from the shot's.
+
+        Returns
+        -------
+        dict
+            The report, as `burnish.run`.
+
+        Raises
+        ------
+        BadArgument, MissingChannel, SizeMismatch, ReadFailed, WriteFailed, ColorSpaceError
+            What went wrong; nothing half-written is left behind.
+        Cancelled
+            `progress` returned False.
+        """
+        return _core.run(self._document, _spelled_out(changes, is_new=False), progress)
+
+
+def _spelled_out(settings: dict[str, Any], is_new: bool) -> dict[str, Any]:
+    """Settings with the short forms of `materials` and `camera` as the core takes them."""
+    if "materials" in settings:
+        materials = settings.pop("materials")
+        is_worn = is_new and not settings.get("assign") and "material" not in settings
+        settings = {**settings, **one_material(materials, is_worn)}
+    if "camera" in settings:
+        settings["camera"] = placed_camera(settings["camera"])
+    return settings
+
+
+def _environment(document: dict[str, Any]) -> dict[str, Any]:
+    """The light whose fields are settings of their own."""
+    return next((light for light in document.get("lights", {}).values() if "type" not in light), {})
+
+
+def _by_name(document: dict[str, Any]) -> dict[str, Any]:
+    """The document's values by the names of the settings."""
+    near = {name: light for name, light in document.get("lights", {}).items() if "type" in light}
+    sections = {**document, "": {**document, "lights": near}, "lights": _environment(document)}
+    values = {}
+    for setting in _core.settings():
+        value = sections.get(setting["section"], {}).get(setting["key"])
+        if value is not None and value != setting["default"]:
+            values[setting["name"]] = value
+    return values
+
+
+def _settings_of_frame(document: dict[str, Any], frame: int | None) -> dict[str, Any]:
+    """Settings for one frame in memory: lights keep their names, and files are those of the frame."""
+    values = _by_name(document)
+    lights = {name: {"type": "environment", **light} for name, light in document.get("lights", {}).items()}
+    far = {setting["name"] for setting in _core.settings() if setting["section"] == "lights"}
+    settings = {name: value for name, value in values.items() if name not in far} | ({"lights": lights} if lights else {})
+    pattern = settings.get("aovs", "")
+    if frame is None and _core.has_frame_token(pattern):
+        raise BadArgument(f"frame: '{pattern}' names many frames; say which number")
+    if frame is not None and not _core.has_frame_token(pattern):
+        raise BadArgument(f"frame: '{pattern}' names one file; leave the number out")
+    if frame is None:
+        return settings
+    return {name: _of_frame(value, frame) if name in ("aovs", "fine_aovs", "camera", "lights") else value
+            for name, value in settings.items()}
+
+
+def _of_frame(value: Any, frame: int) -> Any:
+    """The value with every pattern in it as the frame's file."""
+    if isinstance(value, dict):
+        return {key: _of_frame(field, frame) for key, field in value.items()}
+    if isinstance(value, list):
+        return [_of_frame(field, frame) for field in value]
+    is_pattern = isinstance(value, str) and _core.has_frame_token(value)
+    return _core.frame_file(value, frame) if is_pattern else value
+
+
+def _with_absolute_materials(document: dict[str, Any], folder: str) -> dict[str, Any]:
+    """The document with materials that are files named so that every process finds them."""
+    own = document.get("materials", {})
+
+    def absolute(name: str) -> str:
+        path = os.path.join(folder, name)
+        return path if name not in own and os.path.isfile(path) else name
+
+    if "material" in document:
+        document["material"] = absolute(document["material"])
+    for rule in document.get("assign", []):
+        rule["material"] = absolute(rule["material"])
+    for new, old in document.get("old_materials", {}).items():
+        document["old_materials"][new] = absolute(old)
+    return document
