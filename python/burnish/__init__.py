@@ -25,11 +25,14 @@ from .errors import (
     Cancelled,
     ColorSpaceError,
     Error,
+    FramesFailed,
+    LostConnection,
     MissingChannel,
     ReadFailed,
     SizeMismatch,
     WriteFailed,
 )
+from . import sequence
 
 if _TYPE_CHECKING:
     from ._core import Progress as _Progress
@@ -45,9 +48,11 @@ __all__ = [
     "Error",
     "Frame",
     "Frames",
+    "FramesFailed",
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
+    "LostConnection",
     "Measured",
     "MissingChannel",
     "ReadFailed",
@@ -68,6 +73,7 @@ __all__ = [
     "refine",
     "roles",
     "run",
+    "sequence",
     "settings",
     "shot_schema",
 ]

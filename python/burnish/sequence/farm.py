@@ -1,0 +1,225 @@
+"""`burnish.sequence.run`: the frames of a shot over a pool of workers, until each has an end."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import time
+from typing import TYPE_CHECKING, Any, Literal
+
+from .. import _core
+from .._atomic import write_text
+from .._shot import Shot
+from ..errors import BadArgument, Cancelled, Error
+from .dask_pool import DaskPool
+from .frame_ranges import parse_frames
+from .outputs import Outputs, hold
+from .pools import Dropped, Lost, Processes, ThisProcess
+from .report import FrameOutcome, SequenceReport
+from .tasks import OF_THE_JOB, TRANSIENT, failure, make_task
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Iterable, Mapping
+
+    from .._core import Progress
+    from .tasks import Outcome, Task
+
+    Path = str | os.PathLike[str]
+    Pool = ThisProcess | Processes | DaskPool
+
+START_COST = 2.0  # of a task: reading the light and making tables, in frames; docs/measured.md
+
+
+def run(
+    shot: Shot | Path | Mapping[str, Any],
+    frames: str | Iterable[int] | None = None,
+    *,
+    client: Any = None,
+    processes: int | None = None,
+    chunk: int | None = None,
+    skip_existing: bool = True,
+    bad_frames: Literal["error", "skip", "hold"] = "error",
+    retries: int = 1,
+    timeout: float | None = None,
+    progress: Progress | None = None,
+    **settings: Any,
+) -> SequenceReport:
+    """Composite the frames of a shot: in this process, in several, or on a dask farm. The bits are the same in every case.
+
+    It can be called again at any time, also after it was stopped or lost its farm: frames that are up to date are left out, and
+    outputs are there whole or not at all.
+
+    Parameters
+    ----------
+    shot : Shot or str or os.PathLike or dict
+        The shot, its file or its document; `aovs` and `output` are patterns (``shot.####.exr``).
+    frames : str or iterable of int, optional
+        Such as "1-24" (see `parse_frames` for other dialects); by default those the shot names, or all on disk.
+    client : dask.distributed.Client, optional
+        Tasks go to the workers of its scheduler, which have burnish and see the same files by the same paths.
+    processes : int, optional
+        Tasks go to so many processes of this machine; by default all is done in this one.
+    chunk : int, optional
+        Frames a task; light and tables are made once for all of them. By default by frames and workers; 1 where the shot has a target
+        (psnr, max_error, time), as it plans once a task.
+    skip_existing : bool
+        Leave out frames whose output is up to date; the worker looks.
+    bad_frames : {"error", "skip", "hold"}
+        A frame that fails or has no input: hand out no more frames; go on with the others; or go on, and let the output of the nearest
+        frame before it stand in (where there is none, of the next one).
+    retries : int
+        How often a frame is tried again after an error that may pass: reading, writing, a worker that died, time.
+    timeout : float, optional
+        Seconds a frame may take, in the mean of its task.
+    progress : callable, optional
+        ``progress(stage, done)``, done in [0, 1] over all frames; returning False cancels.
+    **settings
+        Settings by name that differ from the shot's. `report` is where the report of the sequence goes, as JSON.
+
+    Returns
+    -------
+    SequenceReport
+        What became of each frame, seconds of wall time; `to_dict` has it as a dict. Frames that failed are told in it and not raised:
+        see `raise_if_failed`.
+
+    Raises
+    ------
+    BadArgument, ColorSpaceError
+        What is wrong with the shot or an argument, whatever the frame.
+    Cancelled
+        `progress` returned False; the frames that are done stay.
+    LostConnection
+        The scheduler is gone; the same call goes on where this one stopped.
+    """
+    _check(client, processes, chunk, bad_frames, retries, timeout)
+    given = Shot(shot, **settings, skip_existing=skip_existing, bad_frames="skip")
+    outputs = Outputs(given)
+    numbers = _numbers(given, frames)
+    document = {key: value for key, value in given.document.items() if key != "frames"}
+    document.get("output", {}).pop("report", None)
+    pool: Pool = DaskPool(client) if client is not None else Processes(processes) if processes else ThisProcess()
+    size = chunk or (1 if _has_target(given) else default_chunk(len(numbers), pool.workers))
+    begin = time.monotonic()
+    farm = Farm(pool, document, numbers, retries, timeout, bad_frames == "error", progress)
+    try:
+        farm.run(size)
+    finally:
+        pool.stop()
+        outputs.sweep(numbers)
+    if bad_frames == "hold":
+        hold(list(farm.outcomes.values()), outputs)
+    report = SequenceReport(list(farm.outcomes.values()), time.monotonic() - begin, pool.workers, size)
+    if given.report:
+        write_text(given.report, report.to_json() + "\n")
+    return report
+
+
+def default_chunk(frames: int, workers: int) -> int:
+    """Frames a task. Few tasks a worker make light and tables seldom, many leave no worker idle at the end: of k tasks each, these cost
+    k * START_COST and half a task, frames / (2 k workers).
+    """
+    share = frames / workers
+    tasks_each = max(1, round(math.sqrt(share / (2 * START_COST))))
+    return max(1, math.ceil(share / tasks_each))
+
+
+def _check(client: Any, processes: int | None, chunk: int | None, bad_frames: str, retries: int, timeout: float | None) -> None:
+    """Refuse what cannot be meant, by the name of the argument."""
+    if client is not None and processes is not None:
+        raise BadArgument("processes: there is a client, whose workers do the work; leave processes out")
+    if client is not None and getattr(client, "asynchronous", False):
+        raise BadArgument("client: it is asynchronous; give one that is not")
+    for name, value, least in (("processes", processes, 1), ("chunk", chunk, 1), ("retries", retries, 0)):
+        if value is not None and (not isinstance(value, int) or value < least):
+            raise BadArgument(f"{name}: expected a whole number of at least {least}, found {value!r}")
+    if timeout is not None and not timeout > 0:
+        raise BadArgument(f"timeout: expected seconds above 0, found {timeout!r}")
+    if bad_frames not in ("error", "skip", "hold"):
+        raise BadArgument(f"bad_frames: expected error, skip or hold, found {bad_frames!r}")
+
+
+def _numbers(shot: Shot, frames: str | Iterable[int] | None) -> list[int]:
+    """The frames that are asked for."""
+    if frames is None:
+        numbers = shot.frames().numbers
+    else:
+        numbers = parse_frames(frames) if isinstance(frames, str) else list(dict.fromkeys(int(frame) for frame in frames))
+    if not numbers:
+        raise BadArgument(f"frames: no file fits '{shot.aovs}'" if frames is None else "frames: expected at least one")
+    return numbers
+
+
+def _has_target(shot: Shot) -> bool:
+    return any(shot.settings.get(name) for name in ("psnr", "max_error", "time"))
+
+
+class Farm:
+    """Hands tasks to a pool, and again those that should be tried again, until every frame has an end."""
+
+    def __init__(self, pool: Pool, document: dict[str, Any], numbers: list[int], retries: int, timeout: float | None,
+                 stops_at_bad: bool, progress: Progress | None) -> None:
+        self.pool, self.document, self.timeout, self.progress = pool, document, timeout, progress
+        self.most_tries, self.stops_at_bad = 1 + retries, stops_at_bad
+        self.outcomes = {number: FrameOutcome(number) for number in numbers}
+        self.open = 0  # tasks under way
+
+    def run(self, chunk: int) -> None:
+        """All frames, `chunk` a task. Raises what is wrong with the job itself, Cancelled and LostConnection."""
+        numbers = list(self.outcomes)
+        for first in range(0, len(numbers), chunk):
+            self._start(numbers[first:first + chunk])
+        while self.open:
+            for task, ended in self.pool.wait(self._tell):
+                self.open -= 1
+                self._end(task, ended)
+            self._tell("frames", 0)
+            if self.stops_at_bad and any(each.status in ("missing", "failed") for each in self.outcomes.values()):
+                return
+        self._tell("done", 1)
+
+    def _start(self, frames: list[int]) -> None:
+        self.open += 1
+        for frame in frames:
+            self.outcomes[frame].tries += 1
+        self.pool.start(make_task(self.document, frames, self.timeout))
+
+    def _end(self, task: Task, ended: list[Outcome] | Exception) -> None:
+        """Take in what became of a task; some of its frames may start again."""
+        frames = task["frames"]
+        if isinstance(ended, Dropped):
+            for frame in frames:
+                self.outcomes[frame].tries -= 1  # it was no try
+            self._start(frames)
+        elif isinstance(ended, Lost) and len(frames) > 1:  # one frame may be what kills workers: find it
+            middle = len(frames) // 2
+            self._start(frames[:middle])
+            self._start(frames[middle:])
+        elif isinstance(ended, Lost):
+            self._take([failure(frames[0], "E_LOST_WORKER", str(ended))], len(frames))
+        elif isinstance(ended, OF_THE_JOB) or (isinstance(ended, Exception) and not isinstance(ended, Error)):
+            raise ended
+        elif isinstance(ended, Error):
+            self._take([failure(frame, ended.code, str(ended)) for frame in frames], len(frames))
+        else:
+            self._take(ended, len(frames))
+
+    def _take(self, told: list[Outcome], chunk: int) -> None:
+        """Keep what became of frames, or try again those whose error may pass: together, as they share light and tables."""
+        again = []
+        for outcome in told:
+            known = self.outcomes[outcome["frame"]]
+            if outcome["status"] == "failed" and outcome["code"] in TRANSIENT and known.tries < self.most_tries:
+                again.append(known.frame)
+            else:
+                self.outcomes[known.frame] = dataclasses.replace(known, **outcome)
+        if again:
+            self._start(again)
+
+    def _tell(self, stage: str, _: float) -> bool:
+        """Tell the share of all frames that is done. Raises Cancelled where the answer is to stop."""
+        ended = sum(outcome.status != "left" for outcome in self.outcomes.values())
+        done = 1.0 if stage == "done" else (ended + sum(self.pool.shares.values())) / len(self.outcomes)
+        if self.progress is not None and self.progress(stage, min(done, 1.0)) is False:
+            raise Cancelled(f"cancelled after {ended} of {len(self.outcomes)} frames")
+        return True
