@@ -12,7 +12,7 @@ import secrets
 import time
 from typing import TYPE_CHECKING, Any
 
-from ..errors import LostConnection
+from ..errors import Error, LostConnection
 from .pools import Dropped, Lost
 from .tasks import run_task
 
@@ -67,7 +67,8 @@ class DaskPool:
         except CancelledError:
             return Dropped()
         except Exception as error:
-            return error
+            is_of_the_wire = isinstance(error, OSError) and not isinstance(error, Error)
+            return Dropped() if is_of_the_wire else error
 
     def _expect_connection(self) -> None:
         """Wait while the client connects anew."""

@@ -173,10 +173,10 @@ class Farm:
             for task, ended in self.pool.wait(self._tell):
                 self.open -= 1
                 self._end(task, ended)
-            self._tell("frames", 0)
+            self._tell("frames")
             if self.stops_at_bad and any(each.status in ("missing", "failed") for each in self.outcomes.values()):
                 return
-        self._tell("done", 1)
+        self._tell("done", is_over=True)
 
     def _start(self, frames: list[int]) -> None:
         self.open += 1
@@ -216,10 +216,10 @@ class Farm:
         if again:
             self._start(again)
 
-    def _tell(self, stage: str, _: float) -> bool:
+    def _tell(self, stage: str, _: float = 0, is_over: bool = False) -> bool:
         """Tell the share of all frames that is done. Raises Cancelled where the answer is to stop."""
         ended = sum(outcome.status != "left" for outcome in self.outcomes.values())
-        done = 1.0 if stage == "done" else (ended + sum(self.pool.shares.values())) / len(self.outcomes)
-        if self.progress is not None and self.progress(stage, min(done, 1.0)) is False:
+        done = 1.0 if is_over else min((ended + sum(self.pool.shares.values())) / len(self.outcomes), 1.0)
+        if self.progress is not None and self.progress(stage, done) is False:
             raise Cancelled(f"cancelled after {ended} of {len(self.outcomes)} frames")
         return True

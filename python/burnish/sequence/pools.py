@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from typing import TYPE_CHECKING, Any
 
 from .. import errors
@@ -73,6 +74,7 @@ class Processes:
     """Processes of this machine, each with one task at a time; one that dies loses its task and is replaced."""
 
     GRACE_S = 10.0  # beyond a task's own time, then its process is killed
+    STOP_S = 3.0  # to end in when asked to
 
     def __init__(self, count: int) -> None:
         self.workers = count
@@ -104,10 +106,13 @@ class Processes:
             self.tasks.put(None)
         for child in list(self.children):
             child.send_signal(signal.SIGINT)
+        end = time.monotonic() + self.STOP_S
         for driver in self.drivers:
-            driver.join(self.GRACE_S)
+            driver.join(max(0.0, end - time.monotonic()))
         for child in list(self.children):
             child.kill()
+        for driver in self.drivers:
+            driver.join(self.STOP_S)
 
     def _drive(self) -> None:
         """Hand tasks to one process, and to another when it died."""
