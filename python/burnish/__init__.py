@@ -18,6 +18,7 @@ from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._compositing import composite, refine
 from ._fitting import fit
+from ._image_buffers import to_imagebuf
 from ._shot import Frames, Shot
 from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
@@ -76,6 +77,7 @@ __all__ = [
     "sequence",
     "settings",
     "shot_schema",
+    "to_imagebuf",
 ]
 
 

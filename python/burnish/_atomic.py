@@ -26,7 +26,8 @@ def replaced(target: str | os.PathLike[str]) -> Iterator[pathlib.Path]:
     except OSError as error:
         raise WriteFailed(f"{target}: cannot be written: {error.strerror or error}") from error
     finally:
-        hidden.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            hidden.unlink()
 
 
 def write_text(target: str | os.PathLike[str], text: str) -> None:

@@ -6,11 +6,13 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from . import _core
+from ._image_buffers import frames_on_disk, to_array
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from numpy.typing import ArrayLike as Array
+    from OpenImageIO import ImageBuf
 
     from ._core import Environment, Frame, Progress
 
@@ -18,11 +20,11 @@ if TYPE_CHECKING:
 
 
 def composite(
-    aovs: dict | Path | Frame,
-    light: Path | Array | Environment | None,
+    aovs: dict | Path | Frame | ImageBuf,
+    light: Path | Array | Environment | ImageBuf | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | None = None,
+    fine_aovs: dict | Path | ImageBuf | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -32,10 +34,11 @@ def composite(
 
     Parameters
     ----------
-    aovs : str or os.PathLike or dict or Frame
+    aovs : str or os.PathLike or dict or Frame or OpenImageIO.ImageBuf
         An EXR, or role name -> ndarray of shape (height, width, channels) or (height, width), float32, linear; see
-        `roles`. A beauty of four channels holds alpha in the fourth.
-    light : str or os.PathLike or ndarray or Environment
+        `roles`. A beauty of four channels holds alpha in the fourth. Wherever an array is taken an ImageBuf is, too; one that holds a
+        whole frame stands for its EXR.
+    light : str or os.PathLike or ndarray or Environment or OpenImageIO.ImageBuf
         Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already. None: that of the
         settings `env` or `lights`, if there is one.
     materials : str or dict, optional
@@ -71,15 +74,16 @@ def composite(
     Cancelled
         `progress` returned False.
     """
-    return _core.composite(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings))
+    with frames_on_disk(aovs, fine_aovs) as (aovs, fine_aovs):
+        return _core.composite(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings))
 
 
 def refine(
-    aovs: dict | Path | Frame,
-    light: Path | Array | Environment | None,
+    aovs: dict | Path | Frame | ImageBuf,
+    light: Path | Array | Environment | ImageBuf | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | None = None,
+    fine_aovs: dict | Path | ImageBuf | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -120,7 +124,8 @@ def refine(
     ...     show(layers["beauty"])
     ...     if changed(): break
     """
-    return _steps(_core.Refinement(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings)))
+    with frames_on_disk(aovs, fine_aovs) as (aovs, fine_aovs):
+        return _steps(_core.Refinement(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings)))
 
 
 def _steps(refinement):
@@ -138,12 +143,12 @@ def _arguments(aovs, light, materials, fine_aovs, assign, camera, progress, sett
     fine = fine_aovs if isinstance(fine_aovs, dict) else None
     if fine is None and fine_aovs is not None:
         settings["fine_aovs"] = fine_aovs
-    masks = assign if isinstance(assign, dict) else None
+    masks = {name: to_array(mask, f"assign: {name}") for name, mask in assign.items()} if isinstance(assign, dict) else None
     if masks is None and assign is not None:
         settings["assign"] = assign
     if camera is not None:
         settings["camera"] = placed_camera(camera)
-    return frame, fine, light, masks, settings, progress
+    return frame, fine, to_array(light, "light", 3), masks, settings, progress
 
 
 def placed_camera(camera: dict | Path | Sequence[float]) -> Any:

@@ -150,7 +150,7 @@ class Shot:
         Returns
         -------
         Frames
-            Lists of frame numbers: ``numbers`` and, of these, ``missing``.
+            Frame numbers, each a list: ``numbers`` and, of these, ``missing``.
 
         Raises
         ------
