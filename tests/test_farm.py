@@ -78,6 +78,13 @@ def test_the_farm_gives_the_same_bits(client, shot, undisturbed, tmp_path):
     again = burnish.sequence.run(shot, client=client, output=tmp_path / "o.####.exr")
     assert again.of("skipped") == FRAMES
 
+    def kept():
+        from burnish.sequence.tasks import KEPT
+
+        return len(KEPT.idle)
+
+    wait_for(lambda: set(client.run(kept).values()) == {0})
+
 
 def test_a_killed_workers_frames_go_elsewhere(client, farm, shot, undisturbed, tmp_path):
     killing = once_begun(tmp_path, lambda: farm.workers[0].send_signal(signal.SIGKILL))

@@ -1,5 +1,6 @@
 """`burnish.sequence`: frame ranges in four dialects, runs here and in processes, what becomes of bad frames, and the command line."""
 
+import functools
 import json
 import os
 import signal
@@ -166,8 +167,8 @@ class DeadlyPool(pools.ThisProcess):
 
 
 def test_a_frame_that_kills_workers_is_found(shot):
-    document = shot.with_(skip_existing=True, bad_frames="skip").document
-    hunt = farm.Farm(DeadlyPool(), document, [1, 2, 3, 5, 6], 1, None, False, None)
+    make = functools.partial(tasks.make_task, shot.with_(skip_existing=True, bad_frames="skip").document, timeout=None)
+    hunt = farm.Farm(DeadlyPool(), make, [1, 2, 3, 5, 6], 1, False, None)
     hunt.run(5)
     assert [(each.status, each.code) for each in hunt.outcomes.values()] == [
         ("done", ""), ("done", ""), ("failed", "E_LOST_WORKER"), ("done", ""), ("done", "")]
@@ -214,7 +215,22 @@ def test_chunks_follow_frames_and_workers():
         for workers in (1, 4, 64):
             chunk = farm.default_chunk(frames, workers)
             assert 1 <= chunk <= max(1, -(-frames // workers))
-    assert farm.default_chunk(10, 1) > farm.default_chunk(10, 4) and farm.default_chunk(4, 64) == 1
+    assert farm.default_chunk(100, 1) > farm.default_chunk(100, 4) > farm.default_chunk(4, 64) == 1
+
+
+def test_light_and_tables_are_made_once_a_run(shot, monkeypatch):
+    class Counted(tasks._core.ShotRunner):
+        made = 0
+
+        def __init__(self, document):
+            super().__init__(document)
+            Counted.made += 1
+
+    monkeypatch.setattr(tasks._core, "ShotRunner", Counted)
+    burnish.sequence.run(shot, chunk=1)
+    assert Counted.made == 1 and tasks.KEPT.idle == []
+    burnish.sequence.run(shot, chunk=1, psnr=30, skip_existing=False)
+    assert Counted.made == 1 + 5
 
 
 def test_a_worker_of_another_version_is_refused(shot):

@@ -7,6 +7,7 @@ run goes on meanwhile does no harm: outputs are renamed into place whole, and ha
 
 from __future__ import annotations
 
+import contextlib
 import queue
 import secrets
 import time
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import Error, LostConnection
 from .pools import Dropped, Lost
-from .tasks import run_task
+from .tasks import forget, run_task
 
 if TYPE_CHECKING:
     from .._core import Progress
@@ -49,12 +50,14 @@ class DaskPool:
         task = self.tasks.pop(future, None)
         return [] if task is None else [(task, self._result(future))]
 
-    def stop(self) -> None:
-        """Forget what is not done."""
+    def stop(self, run: str) -> None:
+        """Forget what is not done, and let workers forget what they kept for the run."""
         unfinished = list(self.tasks)
         self.tasks.clear()
-        if unfinished and self.client.status == "running":
-            self.client.cancel(unfinished)
+        if self.client.status == "running":
+            with contextlib.suppress(OSError):
+                self.client.cancel(unfinished)
+                self.client.run(forget, run, on_error="ignore")
 
     def _result(self, future: Any) -> Any:
         """The outcomes of a task, or why there are none."""

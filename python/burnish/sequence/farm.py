@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
+import secrets
 import time
 from typing import TYPE_CHECKING, Any, Literal
 
-from .. import _core
 from .._atomic import write_text
 from .._shot import Shot
 from ..errors import BadArgument, Cancelled, Error
@@ -20,7 +21,7 @@ from .tasks import OF_THE_JOB, TRANSIENT, failure, make_task
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from .._core import Progress
     from .tasks import Outcome, Task
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     Path = str | os.PathLike[str]
     Pool = ThisProcess | Processes | DaskPool
 
-START_COST = 2.0  # of a task: reading the light and making tables, in frames; docs/measured.md
+TASKS_EACH = 8  # of a worker; the first makes light and tables, which the others use
 
 
 def run(
@@ -61,8 +62,8 @@ def run(
     processes : int, optional
         Tasks go to so many processes of this machine; by default all is done in this one.
     chunk : int, optional
-        Frames a task; light and tables are made once for all of them. By default by frames and workers; 1 where the shot has a target
-        (psnr, max_error, time), as it plans once a task.
+        Frames a task. By default by frames and workers; 1 where the shot has a target (psnr, max_error, time), as it plans once a task.
+        Light and tables are made once a worker, or with a target once a task.
     skip_existing : bool
         Leave out frames whose output is up to date; the worker looks.
     bad_frames : {"error", "skip", "hold"}
@@ -99,13 +100,16 @@ def run(
     document = {key: value for key, value in given.document.items() if key != "frames"}
     document.get("output", {}).pop("report", None)
     pool: Pool = DaskPool(client) if client is not None else Processes(processes) if processes else ThisProcess()
-    size = chunk or (1 if _has_target(given) else default_chunk(len(numbers), pool.workers))
+    keeps = not _has_target(given)
+    size = chunk or (default_chunk(len(numbers), pool.workers) if keeps else 1)
+    name = secrets.token_hex(8) if keeps else ""
     begin = time.monotonic()
-    farm = Farm(pool, document, numbers, retries, timeout, bad_frames == "error", progress)
+    make = functools.partial(make_task, document, timeout=timeout, run=name)
+    farm = Farm(pool, make, numbers, retries, bad_frames == "error", progress)
     try:
         farm.run(size)
     finally:
-        pool.stop()
+        pool.stop(name)
         outputs.sweep(numbers)
     if bad_frames == "hold":
         hold(list(farm.outcomes.values()), outputs)
@@ -116,12 +120,8 @@ def run(
 
 
 def default_chunk(frames: int, workers: int) -> int:
-    """Frames a task. Few tasks a worker make light and tables seldom, many leave no worker idle at the end: of k tasks each, these cost
-    k * START_COST and half a task, frames / (2 k workers).
-    """
-    share = frames / workers
-    tasks_each = max(1, round(math.sqrt(share / (2 * START_COST))))
-    return max(1, math.ceil(share / tasks_each))
+    """Frames a task: so few that no worker is idle for long at the end, and that progress is told often."""
+    return max(1, math.ceil(frames / (workers * TASKS_EACH)))
 
 
 def _check(client: Any, processes: int | None, chunk: int | None, bad_frames: str, retries: int, timeout: float | None) -> None:
@@ -157,9 +157,9 @@ def _has_target(shot: Shot) -> bool:
 class Farm:
     """Hands tasks to a pool, and again those that should be tried again, until every frame has an end."""
 
-    def __init__(self, pool: Pool, document: dict[str, Any], numbers: list[int], retries: int, timeout: float | None,
-                 stops_at_bad: bool, progress: Progress | None) -> None:
-        self.pool, self.document, self.timeout, self.progress = pool, document, timeout, progress
+    def __init__(self, pool: Pool, make: Callable[[list[int]], Task], numbers: list[int], retries: int, stops_at_bad: bool,
+                 progress: Progress | None) -> None:
+        self.pool, self.make, self.progress = pool, make, progress
         self.most_tries, self.stops_at_bad = 1 + retries, stops_at_bad
         self.outcomes = {number: FrameOutcome(number) for number in numbers}
         self.open = 0  # tasks under way
@@ -182,7 +182,7 @@ class Farm:
         self.open += 1
         for frame in frames:
             self.outcomes[frame].tries += 1
-        self.pool.start(make_task(self.document, frames, self.timeout))
+        self.pool.start(self.make(frames))
 
     def _end(self, task: Task, ended: list[Outcome] | Exception) -> None:
         """Take in what became of a task; some of its frames may start again."""

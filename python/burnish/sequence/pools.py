@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import errors
 from ..errors import Error
-from .tasks import TimedOut, run_task
+from .tasks import TimedOut, forget, run_task
 
 if TYPE_CHECKING:
     from .._core import Progress
@@ -65,9 +65,10 @@ class ThisProcess:
         finally:
             self.shares = {}
 
-    def stop(self) -> None:
-        """Forget the queue."""
+    def stop(self, run: str) -> None:
+        """Forget the queue, and what was kept for the run."""
         self.tasks.clear()
+        forget(run)
 
 
 class Processes:
@@ -99,7 +100,7 @@ class Processes:
         except queue.Empty:
             return []
 
-    def stop(self) -> None:
+    def stop(self, _: str) -> None:
         """Ask what runs to end, which leaves nothing half-written, and wait for it."""
         self.is_stopped = True
         for _ in self.drivers:

@@ -1,12 +1,14 @@
-"""What a worker does: a few frames of one shot, with the core's own pipeline, light and tables made once for all of them.
+"""What a worker does: a few frames of one shot, with the core's own pipeline; light and tables are made once a run and worker.
 
 A task is a dict of plain values, never pixels, and so is what became of its frames: both travel between processes and machines.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
+import threading
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +16,7 @@ from .. import _core
 from ..errors import BadArgument, Cancelled, ColorSpaceError, Error
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from .._core import Progress
 
@@ -31,20 +33,19 @@ class TimedOut(Error):
     code = "E_TIMEOUT"
 
 
-def make_task(document: dict[str, Any], frames: list[int], timeout: float | None) -> Task:
-    """Make the task of a few frames."""
-    return {"burnish": _core.__version__, "shot": document, "frames": frames, "timeout": timeout}
+def make_task(document: dict[str, Any], frames: list[int], timeout: float | None, run: str = "") -> Task:
+    """Make the task of a few frames. `run`: tasks with the same one share light and tables; "": with no other task."""
+    return {"burnish": _core.__version__, "shot": document, "frames": frames, "timeout": timeout, "run": run}
 
 
 def run_task(task: Task, progress: Progress | None = None) -> list[Outcome]:
     """Run the frames of a task; what fails does not keep the others from being done. Raises what is wrong with the job itself."""
     if task["burnish"] != _core.__version__:
         raise BadArgument(f"this worker has burnish {_core.__version__}, the job is of {task['burnish']}; install the same everywhere")
-    document = {**task["shot"], "frames": ",".join(map(str, task["frames"]))}
-    document.setdefault("threads", _slots_of_worker())
     clock = _Clock(task, progress)
     try:
-        return [_outcome(entry) for entry in clock.timed(document)["frames"]]
+        with KEPT.runner(task) as runner:
+            return [_outcome(entry) for entry in clock.timed(runner, ",".join(map(str, task["frames"])))["frames"]]
     except OF_THE_JOB:
         raise
     except Exception as error:
@@ -78,10 +79,10 @@ class _Clock:
         self.is_over = False
         self.raised: BaseException | None = None  # by the callback
 
-    def timed(self, document: dict[str, Any]) -> dict[str, Any]:
+    def timed(self, runner: _core.ShotRunner, frames: str) -> dict[str, Any]:
         """The core's report. Raises TimedOut, and what the core and the callback raise."""
         try:
-            return _core.run(document, {}, self._tell)
+            return runner.run(frames, self._tell)
         except Cancelled as error:
             if self.is_over:
                 raise TimedOut(f"took longer than {self.seconds:g} s a frame") from error
@@ -95,6 +96,41 @@ class _Clock:
         except BaseException as error:
             self.raised = error
             raise
+
+
+class Kept:
+    """Light and tables of the run that this process works for: made by its first task, dropped when it is over or another begins."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.run, self.idle = "", list[_core.ShotRunner]()
+
+    @contextlib.contextmanager
+    def runner(self, task: Task) -> Iterator[_core.ShotRunner]:
+        """One that no other thread uses meanwhile."""
+        with self.lock:
+            if task["run"] != self.run:
+                self.run, self.idle = task["run"], []
+            runner = self.idle.pop() if self.idle else None
+        runner = runner or _core.ShotRunner({"threads": _slots_of_worker(), **task["shot"]})
+        yield runner
+        with self.lock:
+            if task["run"] and task["run"] == self.run:
+                self.idle.append(runner)
+
+    def forget(self, run: str) -> None:
+        """Drop what was kept for a run."""
+        with self.lock:
+            if run == self.run:
+                self.run, self.idle = "", []
+
+
+KEPT = Kept()
+
+
+def forget(run: str) -> None:
+    """Drop what this process kept for a run."""
+    KEPT.forget(run)
 
 
 def _slots_of_worker() -> int:
