@@ -13,7 +13,7 @@ import burnish
 import numpy as np
 import pytest
 import scenes
-from burnish.sequence import farm, format_frames, parse_frames, pools, tasks
+from burnish.sequence import farm, format_frames, parse_frames, pools, run_sequence, tasks
 from conftest import BUILD, PROGRAM
 
 OIIO_RANGES = ["1-10x3", "1-10y3", "10-1", "10-1x3", "1-10x-2", "3-3", "-5--1x2", "10-1y3", "10-1x-3", "1-10y-3", "1-4,8,20-22"]
@@ -213,9 +213,9 @@ def test_progress_rises_and_can_stop_and_may_raise(shot):
 def test_chunks_follow_frames_and_workers():
     for frames in (1, 7, 40, 200, 5000):
         for workers in (1, 4, 64):
-            chunk = farm.default_chunk(frames, workers)
+            chunk = run_sequence.default_chunk(frames, workers)
             assert 1 <= chunk <= max(1, -(-frames // workers))
-    assert farm.default_chunk(100, 1) > farm.default_chunk(100, 4) > farm.default_chunk(4, 64) == 1
+    assert run_sequence.default_chunk(100, 1) > run_sequence.default_chunk(100, 4) > run_sequence.default_chunk(4, 64) == 1
 
 
 def test_light_and_tables_are_made_once_a_run(shot, monkeypatch):

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _core
 from ._atomic import write_text
-from ._compositing import one_material, placed_camera
-from .errors import BadArgument
+from ._shot_documents import by_name, settings_of_frame, spelled_out, with_absolute_materials
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -74,8 +73,8 @@ class Shot:
             source = source._document
         elif source is not None and not isinstance(source, dict):
             source = os.path.abspath(source)
-        document = _core.shot_document(source or {}, _spelled_out(settings, is_new=source is None), here)
-        self._document = _with_absolute_materials(document, here)
+        document = _core.shot_document(source or {}, spelled_out(settings, is_new=source is None), here)
+        self._document = with_absolute_materials(document, here)
 
     @property
     def document(self) -> dict[str, Any]:
@@ -85,7 +84,7 @@ class Shot:
     @property
     def settings(self) -> dict[str, Any]:
         """Settings by name, a copy; those at their defaults are left out."""
-        return {name: copy.deepcopy(value) for name, value in _by_name(self._document).items()}
+        return {name: copy.deepcopy(value) for name, value in by_name(self._document).items()}
 
     def __getattr__(self, name: str) -> Any:
         """The value of a setting, or its default."""
@@ -188,7 +187,7 @@ class Shot:
             `progress` returned False.
         """
         shot = self.with_(**changes) if changes else self
-        return _core.composite(None, None, None, None, _settings_of_frame(shot._document, frame), progress)
+        return _core.composite(None, None, None, None, settings_of_frame(shot._document, frame), progress)
 
     def run(self, progress: Progress | None = None, **changes: Any) -> dict[str, Any]:
         """Composite all frames from file to file in this process; `burnish.sequence.run` does it on several, or on a farm.
@@ -212,76 +211,4 @@ class Shot:
         Cancelled
             `progress` returned False.
         """
-        return _core.run(self._document, _spelled_out(changes, is_new=False), progress)
-
-
-def _spelled_out(settings: dict[str, Any], is_new: bool) -> dict[str, Any]:
-    """Settings with the short forms of `materials` and `camera` as the core takes them."""
-    if "materials" in settings:
-        materials = settings.pop("materials")
-        is_worn = is_new and not settings.get("assign") and "material" not in settings
-        settings = {**settings, **one_material(materials, is_worn)}
-    if "camera" in settings:
-        settings["camera"] = placed_camera(settings["camera"])
-    return settings
-
-
-def _environment(document: dict[str, Any]) -> dict[str, Any]:
-    """The light whose fields are settings of their own."""
-    return next((light for light in document.get("lights", {}).values() if "type" not in light), {})
-
-
-def _by_name(document: dict[str, Any]) -> dict[str, Any]:
-    """The document's values by the names of the settings."""
-    near = {name: light for name, light in document.get("lights", {}).items() if "type" in light}
-    sections = {**document, "": {**document, "lights": near}, "lights": _environment(document)}
-    values = {}
-    for setting in _core.settings():
-        value = sections.get(setting["section"], {}).get(setting["key"])
-        if value is not None and value != setting["default"]:
-            values[setting["name"]] = value
-    return values
-
-
-def _settings_of_frame(document: dict[str, Any], frame: int | None) -> dict[str, Any]:
-    """Settings for one frame in memory: lights keep their names, and files are those of the frame."""
-    values = _by_name(document)
-    lights = {name: {"type": "environment", **light} for name, light in document.get("lights", {}).items()}
-    far = {setting["name"] for setting in _core.settings() if setting["section"] == "lights"}
-    settings = {name: value for name, value in values.items() if name not in far} | ({"lights": lights} if lights else {})
-    pattern = settings.get("aovs", "")
-    if frame is None and _core.has_frame_token(pattern):
-        raise BadArgument(f"frame: '{pattern}' names many frames; say which number")
-    if frame is not None and not _core.has_frame_token(pattern):
-        raise BadArgument(f"frame: '{pattern}' names one file; leave the number out")
-    if frame is None:
-        return settings
-    return {name: _of_frame(value, frame) if name in ("aovs", "fine_aovs", "camera", "lights") else value
-            for name, value in settings.items()}
-
-
-def _of_frame(value: Any, frame: int) -> Any:
-    """The value with every pattern in it as the frame's file."""
-    if isinstance(value, dict):
-        return {key: _of_frame(field, frame) for key, field in value.items()}
-    if isinstance(value, list):
-        return [_of_frame(field, frame) for field in value]
-    is_pattern = isinstance(value, str) and _core.has_frame_token(value)
-    return _core.frame_file(value, frame) if is_pattern else value
-
-
-def _with_absolute_materials(document: dict[str, Any], folder: str) -> dict[str, Any]:
-    """The document with materials that are files named so that every process finds them."""
-    own = document.get("materials", {})
-
-    def absolute(name: str) -> str:
-        path = os.path.join(folder, name)
-        return path if name not in own and os.path.isfile(path) else name
-
-    if "material" in document:
-        document["material"] = absolute(document["material"])
-    for rule in document.get("assign", []):
-        rule["material"] = absolute(rule["material"])
-    for new, old in document.get("old_materials", {}).items():
-        document["old_materials"][new] = absolute(old)
-    return document
+        return _core.run(self._document, spelled_out(changes, is_new=False), progress)

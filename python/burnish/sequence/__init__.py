@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .farm import run
 from .frame_ranges import format_frames, parse_frames
 from .report import FrameOutcome, SequenceReport
+from .run_sequence import run
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

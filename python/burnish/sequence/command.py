@@ -12,9 +12,9 @@ from .._command_line import FAILED, PARTIAL, SIGNAL_BASE, USAGE, Parser, catch_s
 from .._shot import Shot
 from ..charting.words import settings_of
 from ..errors import BadArgument, Error, LostConnection, ReadFailed
-from .farm import run
 from .frame_ranges import parse_frames
 from .progress_display import FORMATS, ProgressDisplay
+from .run_sequence import run
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
