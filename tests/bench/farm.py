@@ -1,11 +1,10 @@
 """What a farm gains: frames on dask workers of one thread each, on processes, and in one process; all bits are compared.
 
-    PYTHONPATH=build/release/python python3 tests/bench/farm.py --frames 200 --workers 4
+    python3 tests/bench/farm.py --frames 200 --workers 4
 
 The frames are one frame of `burnish demo` under many names, so all cost the same. "speed-up" is against one process with one thread, "efficiency"
-divides it by the cores that the workers can have at most; what is missing to 1 is the start of tasks (light and tables, once a task), idle workers
-at the end, and what workers cost one another in caches and memory. "start" is what a task costs whatever its frames, in frames. Light and
-tables of the demo are many: ten materials.
+divides it by the cores that the workers can have at most; what is missing to 1 is light and tables, which every worker makes once, idle workers
+at the end, and what workers cost one another in caches and memory. The demo's tables are many: ten materials.
 """
 
 import argparse
@@ -19,14 +18,17 @@ import sys
 import tempfile
 import time
 
-import burnish
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ.get("BURNISH_BUILD", ROOT / "build" / "release")).resolve()
+sys.path.insert(0, str(BUILD / "python"))
+os.environ["PYTHONPATH"] = str(BUILD / "python")  # of the workers
 
-PROGRAM = pathlib.Path(burnish.__file__).resolve().parents[2] / "bin" / "burnish"
+import burnish  # noqa: E402
 
 
 def make_shot(folder, frames, width):
     """The demo's frame as a sequence."""
-    subprocess.run([PROGRAM, "demo", "-o", folder, "--width", str(width), "--height", str(width * 9 // 16)], check=True, capture_output=True)
+    subprocess.run([BUILD / "bin" / "burnish", "demo", "-o", folder, "--width", str(width), "--height", str(width * 9 // 16)], check=True, capture_output=True)
     for frame in range(1, frames + 1):
         os.link(folder / "shot.exr", folder / f"frame.{frame:04d}.exr")
     document = burnish.Shot(folder / "shot.json").document
@@ -52,7 +54,7 @@ def measured(way, shot, cores, **how):
 
 
 def start_cost(shot):
-    """(seconds of light and tables, seconds of a frame) of a task on one thread."""
+    """(seconds of light and tables, seconds of a frame) on one thread."""
     one, several = ({**shot.document, "threads": 1, "frames": f"1-{count}"} for count in (1, 4))
     seconds = []
     for document in (one, several):
@@ -87,8 +89,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="burnish-farm-") as folder:
         shot = make_shot(pathlib.Path(folder), options.frames, options.width)
         start, frame = start_cost(shot)
-        print(f"# {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}; a frame takes {frame:.2f} s on one thread, the start of a task "
-              f"{start:.2f} s, {start / frame:.1f} frames", flush=True)
+        print(f"# {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}; a frame takes {frame:.2f} s on one thread, light and tables "
+              f"{start:.2f} s, as much as {start / frame:.1f} frames", flush=True)
         table, first = csv.writer(sys.stdout), None
         table.writerow(["way", "frames", "chunk", "seconds", "seconds_a_frame", "speed_up", "efficiency", "same_bits"])
         for row in rows(shot, options.workers, options.chunk):
