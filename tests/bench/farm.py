@@ -4,7 +4,8 @@
 
 The frames are one frame of `burnish demo` under many names, so all cost the same. "speed-up" is against one process with one thread, "efficiency"
 divides it by the cores that the workers can have at most; what is missing to 1 is light and tables, which every worker makes once, idle workers
-at the end, and what workers cost one another in caches and memory. The demo's tables are many: ten materials.
+at the end, and what workers cost one another in caches and memory. The demo's tables are many: ten materials. "cpu_overhead" is the processor
+time beyond that of one process with one thread, as a share; unlike the others it means something on a machine that does other work, too.
 """
 
 import argparse
@@ -12,6 +13,7 @@ import csv
 import hashlib
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -28,7 +30,8 @@ import burnish  # noqa: E402
 
 def make_shot(folder, frames, width):
     """The demo's frame as a sequence."""
-    subprocess.run([BUILD / "bin" / "burnish", "demo", "-o", folder, "--width", str(width), "--height", str(width * 9 // 16)], check=True, capture_output=True)
+    size = ["--width", str(width), "--height", str(width * 9 // 16)]
+    subprocess.run([BUILD / "bin" / "burnish", "demo", "-o", folder, *size], check=True, capture_output=True)
     for frame in range(1, frames + 1):
         os.link(folder / "shot.exr", folder / f"frame.{frame:04d}.exr")
     document = burnish.Shot(folder / "shot.json").document
@@ -43,14 +46,20 @@ def digest(shot):
     return total
 
 
-def measured(way, shot, cores, **how):
+def cpu_seconds(client):
+    """Of this process, of children that ended, and of dask workers."""
+    own = sum(sum(resource.getrusage(who)[:2]) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return own + (sum(client.run(time.process_time).values()) if client else 0)
+
+
+def measured(way, shot, cores, client=None, **how):
     """One row of the table."""
-    begin = time.perf_counter()
-    report = burnish.sequence.run(shot, **how)
+    begin, cpu = time.perf_counter(), cpu_seconds(client)
+    report = burnish.sequence.run(shot, client=client, **how)
     seconds = time.perf_counter() - begin
     report.raise_if_failed()
-    return {"way": way, "frames": len(report.frames), "chunk": report.chunk, "seconds": seconds, "cores": cores,
-            "bits": digest(shot)}
+    return {"way": way, "frames": len(report.frames), "chunk": report.chunk, "seconds": seconds, "cpu": cpu_seconds(client) - cpu,
+            "cores": cores, "bits": digest(shot)}
 
 
 def start_cost(shot):
@@ -92,12 +101,13 @@ def main():
         print(f"# {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}; a frame takes {frame:.2f} s on one thread, light and tables "
               f"{start:.2f} s, as much as {start / frame:.1f} frames", flush=True)
         table, first = csv.writer(sys.stdout), None
-        table.writerow(["way", "frames", "chunk", "seconds", "seconds_a_frame", "speed_up", "efficiency", "same_bits"])
+        table.writerow(["way", "frames", "chunk", "seconds", "seconds_a_frame", "speed_up", "efficiency", "cpu_seconds", "cpu_overhead", "same_bits"])
         for row in rows(shot, options.workers, options.chunk):
             first = first or row
             gain = first["seconds"] / row["seconds"]
             table.writerow([row["way"], row["frames"], row["chunk"], f"{row['seconds']:.1f}", f"{row['seconds'] / row['frames']:.3f}",
-                            f"{gain:.2f}", f"{gain / row['cores']:.2f}", row["bits"] == first["bits"]])
+                            f"{gain:.2f}", f"{gain / row['cores']:.2f}", f"{row['cpu']:.1f}", f"{row['cpu'] / first['cpu'] - 1:.3f}",
+                            row["bits"] == first["bits"]])
             sys.stdout.flush()
 
 
