@@ -137,6 +137,15 @@ def test_tasks_are_small_and_plain(shot):
         run_task({**task, "burnish": "0.0.0"})
 
 
+def test_a_task_has_the_threads_of_its_worker(client):
+    def threads():
+        from burnish.sequence.tasks import _slots_of_worker
+
+        return _slots_of_worker()
+
+    assert client.submit(threads, pure=False).result() == 1 and threads() == 0
+
+
 def test_a_farm_that_is_gone_is_told(farm):
     client = distributed.Client(farm.address, set_as_default=False)
     pool = DaskPool(client)
