@@ -18,17 +18,22 @@ from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._compositing import composite, refine
 from ._fitting import fit
+from ._image_buffers import to_imagebuf
+from ._shot import Frames, Shot
 from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
     BadArgument,
     Cancelled,
     ColorSpaceError,
     Error,
+    FramesFailed,
+    LostConnection,
     MissingChannel,
     ReadFailed,
     SizeMismatch,
     WriteFailed,
 )
+from . import sequence
 
 if _TYPE_CHECKING:
     from ._core import Progress as _Progress
@@ -43,12 +48,16 @@ __all__ = [
     "Environment",
     "Error",
     "Frame",
+    "Frames",
+    "FramesFailed",
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
+    "LostConnection",
     "Measured",
     "MissingChannel",
     "ReadFailed",
+    "Shot",
     "SizeMismatch",
     "WriteFailed",
     "check_energy",
@@ -66,8 +75,10 @@ __all__ = [
     "refine",
     "roles",
     "run",
+    "sequence",
     "settings",
     "shot_schema",
+    "to_imagebuf",
 ]
 
 
