@@ -219,6 +219,8 @@ def test_the_command_does_frames_and_tells(cli, shot, tmp_path):
     assert percents == sorted(percents) and percents[-1] == 100
     words = ["sequence", shot.aovs, "--env", shot.env, "--up", "z", "--material", "gold", "-o", tmp_path / "o.####.exr", "--frames", "1-3"]
     assert json.loads(cli(*words, "--json").out)["done"] == 3 and cli(*words, "-q").out == ""
+    beyond = cli(*words[:-1], "7-9", "--within", "1-6")
+    assert beyond.code == 0 and beyond.out == "0 of 0 frames done, 0.0 s\n"
     stopped = cli(*words[:-1], "3-5")
     assert stopped.code == 1 and stopped.err.splitlines()[-1].startswith("burnish: error: E_READ_FAILED frame=4 ")
 
