@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the scene's next render hold all that burnish reads: passes, ids, and AOVs wired into the materials.
+
+Doing it again does nothing, or brings AOVs up to date where materials were changed. `touched.restore` takes all of it back.
+"""
+
+from __future__ import annotations
+
+from . import layers, materials, touched, values
+
+PASSES = {"position": "Position", "normal": "Normal", "z": "Z", "diffuse_direct": "Diffuse Direct", "diffuse_indirect": "Diffuse Indirect",
+          "diffuse_color": "Diffuse Color", "glossy_direct": "Glossy Direct", "glossy_indirect": "Glossy Indirect", "glossy_color": "Glossy Color",
+          "transmission_direct": "Transmission Direct", "transmission_indirect": "Transmission Indirect",
+          "transmission_color": "Transmission Color", "object_index": "Object Index", "material_index": "Material Index",
+          "cryptomatte_object": "Cryptomatte Object", "cryptomatte_material": "Cryptomatte Material"}
+
+
+def missing(view_layer):
+    """Names of passes that are not switched on yet."""
+    return [word for name, word in PASSES.items() if not getattr(view_layer, "use_pass_" + name)]
+
+
+def prepare(scene, view_layer):
+    """Switch on and wire up what burnish needs of the next render.
+
+    Parameters
+    ----------
+    scene : bpy.types.Scene
+    view_layer : bpy.types.ViewLayer
+
+    Returns
+    -------
+    list of str
+        What was changed, in words; empty when everything was there.
+    """
+    done = [f"pass {word}" for name, word in PASSES.items() if touched.change(view_layer, "use_pass_" + name, True)]
+    if not has_denoiser() and touched.change(scene, "cycles.use_denoising", False):
+        done.append("denoising off: this Blender was built without OpenImageDenoise")
+    for material in materials.worn(scene):
+        plan = layers.plan(material)
+        for kind in plan.layers:
+            name = layers.NAMES[kind]
+            if touched.add_aov(view_layer, name, layers.TYPES[name]):
+                done.append(f"AOV {name}")
+        if material.library is None and _wire(material, plan.layers):
+            done.append(f"{material.name}: " + ", ".join(layers.NAMES[kind] for kind in plan.layers))
+    return done
+
+
+def has_denoiser():
+    """Whether this Blender can denoise; Debian's cannot, and its renders fail where denoising is on."""
+    import _cycles
+
+    return bool(getattr(_cycles, "with_openimagedenoise", True))
+
+
+def _wire(material, wanted):
+    """Bring the AOVs of a material up to date; returns whether they were not."""
+    tree = material.node_tree
+    ours = touched.marked(tree) if tree else []
+    text = repr(sorted(wanted.items()))
+    if not wanted and not ours or any(node[touched.MARK] == text for node in ours):
+        return False
+    for node in ours:
+        tree.nodes.remove(node)
+    if wanted:
+        _add_nodes(tree, wanted, text)
+    return bool(wanted)
+
+
+def _add_nodes(tree, wanted, text):
+    """AOV outputs with what feeds them, in a frame below the material's output."""
+    active = tree.nodes.active
+    frame = tree.nodes.new("NodeFrame")
+    frame.label = "burnish"
+    made = [frame]
+    for kind, value in wanted.items():
+        output = tree.nodes.new("ShaderNodeOutputAOV")
+        setattr(output, "aov_name" if hasattr(output, "aov_name") else "name", layers.NAMES[kind])
+        made.append(output)
+        socket = output.inputs["Color" if layers.TYPES[layers.NAMES[kind]] == "COLOR" else "Value"]
+        if kind == "tangent":
+            tree.links.new(_tangent(tree, value, made), socket)
+        elif values.is_known(value):
+            socket.default_value = value
+        else:
+            tree.links.new(values.node_of(tree, value, made), socket)
+    _lay_out(tree, frame, made[1:])
+    for node in made:
+        touched.mark(node, text)
+        node.select = False
+    tree.nodes.active = active
+
+
+def _tangent(tree, source, made):
+    """The socket of the tangent; without one around the object's Z axis, as Cycles takes it then."""
+    if source:
+        return tree.nodes[source[0]].outputs[source[1]]
+    node = tree.nodes.new("ShaderNodeTangent")
+    node.direction_type, node.axis = "RADIAL", "Z"
+    made.append(node)
+    return node.outputs["Tangent"]
+
+
+def _lay_out(tree, frame, nodes):
+    output = tree.get_output_node("CYCLES")
+    for row, node in enumerate(nodes):
+        node.parent = frame
+        node.hide = True
+        node.location = (output.location.x, output.location.y - 200 - 60 * row)
