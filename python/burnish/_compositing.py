@@ -22,7 +22,7 @@ def composite(
     light: Path | Array | Environment | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | None = None,
+    fine_aovs: dict | Path | Frame | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -40,7 +40,7 @@ def composite(
         settings `env` or `lights`, if there is one.
     materials : str or dict, optional
         What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
-    fine_aovs : str or os.PathLike or dict, optional
+    fine_aovs : str or os.PathLike or dict or Frame, optional
         For anti-aliasing: the surfaces of the same frame (positions, normals, ids, ...) at a multiple of its width and
         height, as `aovs`; `aovs` is then read for the picture alone, and masks in `assign` have the size of these.
     assign : list or dict, optional
@@ -79,7 +79,7 @@ def refine(
     light: Path | Array | Environment | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | None = None,
+    fine_aovs: dict | Path | Frame | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -134,7 +134,7 @@ def _arguments(aovs, light, materials, fine_aovs, assign, camera, progress, sett
     if frame is None:
         settings["aovs"] = aovs
     settings.update(_wardrobe(materials))
-    fine = fine_aovs if isinstance(fine_aovs, dict) else None
+    fine = fine_aovs if isinstance(fine_aovs, (dict, _core.Frame)) else None
     if fine is None and fine_aovs is not None:
         settings["fine_aovs"] = fine_aovs
     masks = assign if isinstance(assign, dict) else None
