@@ -51,10 +51,15 @@ def settle(scene):
         _show(worker)
 
 
-def latency(scene):
-    """Median of the seconds from a move to its picture; None before the first."""
+def latencies(scene):
+    """Seconds from a move to its picture, of the last moves."""
     worker = _workers.get(scene.name)
-    return statistics.median(worker.latencies) if worker and worker.latencies else None
+    return list(worker.latencies) if worker else []
+
+
+def latency(scene):
+    """Their median; None before the first."""
+    return statistics.median(latencies(scene)) if latencies(scene) else None
 
 
 def error(scene):

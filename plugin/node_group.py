@@ -33,7 +33,7 @@ def unlink(scene):
     for target in targets if image.links else ():
         tree.links.new(image.links[0].from_socket, target)
     tree.nodes.remove(node)
-    if bpy.data.node_groups[NAME].users == 0:
+    if not any(_own_node(other.node_tree) for other in bpy.data.scenes if other.node_tree):
         bpy.data.node_groups.remove(bpy.data.node_groups[NAME])
     return True
 

@@ -35,6 +35,8 @@ class BURNISH_OT_composite(background.Background, bpy.types.Operator):
         live.end(scene)
         bridge.sync(scene, everything=False)
         rendered, self._notes = bridge.as_rendered(scene, _frame_file(context))
+        if not rendered["assign"]:
+            raise RuntimeError("No material that the frame shows reflects anything; prepare the scene, and see that something glossy is in it")
         look, document = bridge.look(scene), bridge.document(scene, rendered)
         is_written = scene.burnish.writes_exr
 

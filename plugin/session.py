@@ -14,7 +14,6 @@ AS_RENDERED = " (as rendered)"  # the old material of mode difference
 
 _LIGHT = ("env", "env_convention", "env_rotate", "env_flip", "env_scale", "env_tint", "env_face_size", "env_kernel", "env_suns")
 _FRAME = ("aovs", "fine_aovs", "camera", "channel", "view")
-_FOR_STILLS = ("psnr", "density", "estimator")  # sliders go densely, and without a target
 _BARE = {"lobes": []}
 
 
@@ -28,8 +27,10 @@ class Session:
         self._frame = self._burnish.Frame(**frame)
         self._fine = self._burnish.Frame(**{**frame, "aovs": shot["fine_aovs"]}) if "fine_aovs" in shot else None
         self._light = self._read_light()
+        still = {name: value for name, value in shot.items() if name not in (*_LIGHT, *_FRAME, "materials")}
+        self._sliding = _as_sliders_do(still)
         self._apart, self._rest = None, None  # the material that moved last, and the overlay of all others
-        layers = self._composite(self._worn(look), progress, **{name: shot[name] for name in _FOR_STILLS if name in shot})
+        layers = self._composite(self._worn(look), progress, **still)
         self.report, self.covered = layers["report"], layers["validity"] == 0
         self._overlay, self._base = layers["overlay"], layers["beauty"]
         self._base[:, :, :3] -= layers["overlay"]
@@ -71,7 +72,7 @@ class Session:
     def rendered(self):
         """What the renderer itself has in the overlay's place: specular radiance (height, width, 3)."""
         bare = dict.fromkeys(self._worn(self._look), _BARE)
-        whole, without = (self._composite(bare, mode=mode)["beauty"][:, :, :3] for mode in ("add", "replace"))
+        whole, without = (self._composite(bare, **{**self._sliding, "mode": mode})["beauty"][:, :, :3] for mode in ("add", "replace"))
         return whole - without
 
     def _exchange(self, name, before):
@@ -89,8 +90,12 @@ class Session:
         settings = {name: self._shot[name] for name in (*_LIGHT, "up") if name in self._shot}
         return self._burnish.Environment(settings.pop("env"), **{**settings, **lit(self._shot, self._look)})
 
-    def _composite(self, materials, progress=None, **more):
-        left_out = (*_LIGHT, *_FRAME, *_FOR_STILLS, "materials")
-        settings = {name: value for name, value in self._shot.items() if name not in left_out}
-        return self._burnish.composite(self._frame, self._light, fine_aovs=self._fine, progress=progress,
-                                       **{**settings, "materials": materials, "density": "dense", **more})
+    def _composite(self, materials, progress=None, **settings):
+        return self._burnish.composite(self._frame, self._light, fine_aovs=self._fine, progress=progress, materials=materials,
+                                       **(settings or self._sliding))
+
+
+def _as_sliders_do(settings):
+    """Densely, without a target, and not by the reference, which is slow."""
+    kept = {name: value for name, value in settings.items() if name != "psnr" and (name, value) != ("estimator", "reference")}
+    return {**kept, "density": "dense"}

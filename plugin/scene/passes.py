@@ -58,6 +58,8 @@ def _wire(material, wanted):
     """Bring the AOVs of a material up to date; returns whether they were not."""
     tree = material.node_tree
     ours = touched.marked(tree) if tree else []
+    theirs = {_aov_name(node) for node in (tree.nodes if tree else ()) if node.type == "OUTPUT_AOV" and node not in ours}
+    wanted = {kind: value for kind, value in wanted.items() if layers.NAMES[kind] not in theirs}  # two of a name would add up
     text = repr(sorted(wanted.items()))
     if not wanted and not ours or any(node[touched.MARK] == text for node in ours):
         return False
@@ -76,7 +78,7 @@ def _add_nodes(tree, wanted, text):
     made = [frame]
     for kind, value in wanted.items():
         output = tree.nodes.new("ShaderNodeOutputAOV")
-        setattr(output, "aov_name" if hasattr(output, "aov_name") else "name", layers.NAMES[kind])
+        setattr(output, _aov_property(output), layers.NAMES[kind])
         made.append(output)
         socket = output.inputs["Color" if layers.TYPES[layers.NAMES[kind]] == "COLOR" else "Value"]
         if kind == "tangent":
@@ -90,6 +92,15 @@ def _add_nodes(tree, wanted, text):
         touched.mark(node, text)
         node.select = False
     tree.nodes.active = active
+
+
+def _aov_name(node):
+    return getattr(node, _aov_property(node))
+
+
+def _aov_property(node):
+    """Blender 4 calls it otherwise."""
+    return "aov_name" if hasattr(node, "aov_name") else "name"
 
 
 def _tangent(tree, source, made):
