@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The scene's lamps as area lights of a shot file, as bright as Cycles has them.
 
-    area lamps    radiance = power / (pi area), from the side that shines; discs and ellipses as polygons of the same area
+    area lamps    radiance = power / (4 area), from the side that shines; discs and ellipses as polygons of the same area
     suns          a disc of the same angle, far away: radiance = strength / (pi tan^2(angle / 2))
     points        a disc of the lamp's radius that faces the middle of the scene: radiance = power / (4 pi^2 radius^2)
     spots         as points, without their cone
@@ -49,7 +49,7 @@ def _add(lamps, scene, thing, emitted):
             lamps.notes.append(f"{thing.name}: its spread of {math.degrees(lamp.spread):.0f} degrees is not followed")
         corners = _area_corners(thing)
         area = _area(corners)
-        brightness = 1 / (math.pi * area) if area > 0 else 0.0
+        brightness = 1 / (4 * area) if area > 0 else 0.0
     elif lamp.type == "SUN":
         corners, brightness = _sun(thing)
     else:

@@ -35,8 +35,8 @@ def plan(material):
             _take(result, lobe, kinds, getattr(lobe, kind), [kind])
     for colours_first in (True, False):
         for lobe, kinds in result.lobes:
-            if values.is_colour(lobe.scale) == colours_first:
-                _take(result, lobe, kinds, lobe.scale, ["tint"] if colours_first else ["weight", "tint"])
+            if values.is_colour(values.factors(lobe.scale)[1]) == colours_first:
+                _take(result, lobe, kinds, values.factors(lobe.scale)[1], ["tint"] if colours_first else ["weight", "tint"])
     if lobes:
         result.layers.setdefault("roughness", lobes[0].roughness)
     stretched = next((lobe for lobe in lobes if lobe.is_stretched), None)

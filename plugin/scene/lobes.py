@@ -9,13 +9,16 @@ from typing import Any
 from . import values
 
 
+NARROW = 0.2  # roughness up to which the microfacets' normals may stand for the surface's in a Fresnel
+
+
 @dataclasses.dataclass(frozen=True)
 class Weight:
     """What a shader is multiplied by on the way to the output."""
 
     scale: Any = 1.0  # a value
-    ior: float | None = None  # the Fresnel of this index, too, which the lobe may take for its own
-    at_normal: Any = 1.0  # that Fresnel as Cycles takes it, for lobes that have one already
+    ior: float | None = None  # the Fresnel of this index, too, which a lobe may take for its own
+    at_normal: Any = 1.0  # that Fresnel at the surface's normal, as Cycles takes it
 
     def times(self, value):
         return dataclasses.replace(self, scale=values.multiply(self.scale, value))
@@ -36,18 +39,17 @@ class Lobe:
     def under(self, weight, scale):
         """This lobe with all that multiplies it."""
         total = values.multiply(weight.scale, scale)
-        if weight.ior and not self.fresnel:
+        if weight.ior and not self.fresnel and values.typical(self.roughness) <= NARROW:
             return dataclasses.replace(self, scale=total, fresnel={"ior": weight.ior})
         return dataclasses.replace(self, scale=values.multiply(total, weight.at_normal))
 
     def energy_gain(self, colour):
-        """How much brighter scattering many times makes it, where every scattering is tinted by `colour`: 1 + c (1 - E) / E / 2.
+        """How much brighter scattering many times makes it, where each scattering is tinted by c: 1 / (1 - c L) in each channel.
 
-        E = 1 - 0.45 alpha^1.5: the albedo of white GGX scattering once, mean over a sphere's disc of views.
+        L = 0.64 alpha^1.24: what white GGX loses by scattering once, by Cycles' renders of spheres.
         """
-        alpha = values.typical(self.roughness) ** 2
-        loss = 0.45 * alpha**1.5
-        return tuple(1 + channel * loss / (1 - loss) for channel in values.channels(values.typical(colour)))
+        loss = 0.64 * values.typical(self.roughness) ** 2.48
+        return tuple(1 / (1 - channel * loss) for channel in values.channels(values.typical(colour)))
 
     @property
     def is_stretched(self):

@@ -84,7 +84,7 @@ def _lobe_json(lobe, kinds):
     if lobe.is_stretched:
         lobe_json["anisotropy"] = _within(values.typical(lobe.anisotropy), -0.999, 0.999)
         lobe_json["rotation_deg"] = 360 * (values.typical(lobe.rotation) % 1.0)
-    scale = 1.0 if kinds & {"tint", "weight"} else values.typical(lobe.scale)
+    scale = values.factors(lobe.scale)[0] if kinds & {"tint", "weight"} else values.typical(lobe.scale)
     if isinstance(scale, tuple):
         lobe_json["tint"] = [_within(part, 0, 1000) for part in scale]
     elif scale != 1:

@@ -4,20 +4,24 @@
 Base      GGX, alpha_x = r^2 / A, alpha_y = r^2 A, A = sqrt(1 - 0.9 anisotropic), and
           F = c + (1 - c) F_H,  c = 0.08 specular tint (1 - metallic) + base metallic,
           F_H = the Fresnel of ior = 2 / (1 - sqrt(0.08 specular)) - 1 less its F0, made to go from 0 to 1.
-          A dielectric without tint is just the Fresnel of that index; else F_H is Schlick's. Where textures drive c there are
-          two lobes: c - (1 - c) F0 / (1 - F0) in the AOV Tint, and (1 - c) / (1 - F0) in Weight, with the Fresnel of the index.
-Coat      3.4: 0.25 clearcoat F D G, ior 1.5, D = GTR1, whose nearest is the model `abc` with C = 1; 4.x: GGX of its own index.
+          A dielectric without tint is just the Fresnel of that index. Else there are two lobes, (c - F0) / (1 - F0) without
+          Fresnel and (1 - c) / (1 - F0) with that of the index; textures go to the AOVs Tint and Weight. One lobe with Schlick's
+          curve is near enough for bright metals, and for those darker than F0.
+Coat      3.4: 0.25 clearcoat F D G, ior 1.5, D = GTR1. Cycles draws its directions as if it were GGX, which shows: its renders have
+          GGX's core and only far out GTR1's tail. GGX and a wide lobe a third as bright come near them. 4.x: GGX of its own index.
 Glass     the part that reflects: GGX with the Fresnel of the IOR socket. What shines through stays as rendered.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 from . import links, values
 from .lobes import Lobe
 
-_COAT_IOR = 1.5
+_COAT_IOR, _COAT_TAIL = 1.5, 0.3  # tail: alpha of the wide lobe
+_BRIGHT = 0.4  # reflectance from which a dielectric's Fresnel and Schlick's make no difference
 
 
 def number(place, notes, *names, default=0.0):
@@ -74,7 +78,7 @@ def _index(shader, notes):
     return level, 2 / (1 - root) - 1
 
 
-def _stretched(shader, notes, name="Principled BSDF"):
+def _stretched(shader, notes):
     """A GGX lobe with the base's widths."""
     lobe = Lobe(shader.node.name, "ggx", number(shader, notes, "Roughness"))
     anisotropic = number(shader, notes, "Anisotropic")
@@ -106,50 +110,58 @@ def _base(shader, weight, metallic, notes):
     tint = _tint(shader, base, notes)
     lobe = _stretched(shader, notes)
     if shader.node.distribution == "MULTI_GGX":
-        weight = weight.times(lobe.energy_gain(values.mix(0.04, base, metallic))[0])
+        weight = weight.times(lobe.energy_gain(values.mix(0.04, base, metallic)))
     dielectric = values.multiply(values.multiply(0.08, specular), tint)
     c = values.mix(dielectric, base, metallic)
-    if not values.is_known(c):
-        return _textured_base(lobe, weight, c, specular, ior)
-    if values.is_known(metallic) and metallic == 0 and tint == 1.0:
+    if values.is_known(c) and metallic == 0 and tint == 1.0:
         return [_with_fresnel(lobe, weight, {"ior": ior})] if ior > 1 else []
-    fresnel = {"r0": [min(channel, 1.0) for channel in values.channels(c)]}
-    return [_with_fresnel(lobe, weight, fresnel)]
+    if values.is_known(c) and (min(values.channels(c)) > _BRIGHT or min(values.channels(c)) < _f0(ior) - 0.01):
+        fresnel = {"r0": [min(channel, 1.0) for channel in values.channels(c)]}
+        return [_with_fresnel(lobe, weight, {**fresnel, **_bend(1 - sum(values.channels(c)) / 3)})]
+    grazing = values.complement(c if values.is_known(c) else values.mean(c))
+    if not values.is_known(specular):
+        return [lobe.under(weight, c), _with_fresnel(lobe, weight, {"r0": 0.0, **_bend(1.0)}, grazing)]
+    flat = values.multiply(1 / (1 - _f0(ior)), values.apply("SUBTRACT", c, _f0(ior)))
+    return [lobe.under(weight, values.apply("MAXIMUM", flat, 0.0)),
+            _with_fresnel(lobe, weight, {"ior": ior}, values.multiply(1 / (1 - _f0(ior)), grazing))]
+
+
+def _f0(ior):
+    return ((ior - 1) / (ior + 1)) ** 2
+
+
+def _bend(share):
+    """What a dielectric's Fresnel, made to go from 0 to 1, is above Schlick's: about that of ior 1.5."""
+    return {"dip": -0.06 * share, "dip_power": 1.1}
 
 
 def _with_fresnel(lobe, weight, fresnel, scale=1.0):
-    lobe = Lobe(**{**vars(lobe), "fresnel": fresnel})
-    return lobe.under(weight, scale)
+    return dataclasses.replace(lobe, fresnel=fresnel).under(weight, scale)
 
 
-def _textured_base(lobe, weight, c, specular, ior):
-    """F = c + (1 - c) F_H with c from an AOV."""
-    grazing = values.complement(values.mean(c))
-    if values.is_known(specular):
-        f0 = ((ior - 1) / (ior + 1)) ** 2
-        normalised = values.multiply(1 / (1 - f0), values.apply("SUBTRACT", c, f0))
-        flat = values.apply("MAXIMUM", normalised, 0.0)
-        return [lobe.under(weight, flat), _with_fresnel(lobe, weight, {"ior": ior}, values.multiply(1 / (1 - f0), grazing))]
-    return [lobe.under(weight, c), _with_fresnel(lobe, weight, {"r0": 0.0}, grazing)]
+def through_glass(shader, weight, notes):
+    """A weight times what a smooth surface of glass reflects: the Fresnel of the IOR socket."""
+    ior = number(shader, notes, "IOR")
+    found = links.source(shader.input("Normal"))
+    normal = values.from_socket(found.socket, 0.0) if found and not found.groups else None
+    at_normal = values.fresnel(ior, normal)
+    if weight.ior or not values.is_known(ior):
+        return weight.times(at_normal)
+    return dataclasses.replace(weight, ior=min(max(ior, 0.1), 10.0), at_normal=at_normal)
 
 
 def _reflecting_glass(shader, weight, notes):
-    ior = values.typical(number(shader, notes, "IOR"))
     notes.append(f"{shader.node.name}: what shines through stays as rendered")
-    lobe = Lobe(shader.node.name, "ggx", number(shader, notes, "Roughness"), fresnel={"ior": min(max(ior, 0.1), 10)})
-    return lobe.under(weight, 1.0)
+    return Lobe(shader.node.name, "ggx", number(shader, notes, "Roughness")).under(through_glass(shader, weight, notes), 1.0)
 
 
 def _clearcoat(shader, weight, notes):
     strength = number(shader, notes, "Clearcoat")
     if values.is_known(strength) and strength <= 0:
         return []
-    roughness = number(shader, notes, "Clearcoat Roughness")
-    if not values.is_known(roughness):
-        notes.append(f"{shader.node.name}, Clearcoat Roughness: from a texture, which a clearcoat cannot have; {values.typical(roughness):g} is used")
-    alpha = max(values.typical(roughness) ** 2, 1.5e-4)
-    lobe = Lobe(shader.node.name, "abc", 0.0, fresnel={"ior": _COAT_IOR}, extra={"B": 2 * (1 - alpha**2) / alpha**2, "C": 1.0})
-    return [lobe.under(weight, values.multiply(0.25, strength))]
+    coat = Lobe(shader.node.name, "ggx", number(shader, notes, "Clearcoat Roughness"), fresnel={"ior": _COAT_IOR})
+    tail = dataclasses.replace(coat, roughness=math.sqrt(_COAT_TAIL))
+    return [coat.under(weight, values.multiply(0.25, strength)), tail.under(weight, values.multiply(0.08, strength))]
 
 
 def _coat(shader, weight, notes):

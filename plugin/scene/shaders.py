@@ -4,8 +4,8 @@
 What is not specular (diffuse, emission, transparency) stays in the rendered frame and is passed over. So does what is refracted:
 Cycles keeps it in its transmission passes. Lobes are Cycles' own where burnish has them: GGX and Beckmann with separable Smith
 shadowing, without Fresnel for Glossy and Anisotropic BSDFs, tinted. Two differ. Multiscatter GGX is GGX made as much brighter as
-its width loses light by scattering once. A mix by Fresnel becomes the Fresnel of the lobe, which is taken at the microfacets'
-normals instead of the surface's.
+its width loses light by scattering once. A mix by Fresnel becomes the Fresnel of narrow lobes, which is taken at the microfacets'
+normals instead of the surface's; wide lobes have it as a layer.
 """
 
 from __future__ import annotations
@@ -63,12 +63,12 @@ def _branches(mix, weight, notes):
 
 def _index_of(factor):
     """The index of refraction where a factor is the Fresnel of the surface, known and unbent; else None."""
-    if factor is None or factor.node.inputs["Normal"].is_linked:
+    if factor is None or factor.node.type not in ("FRESNEL", "LAYER_WEIGHT") or factor.node.inputs["Normal"].is_linked:
         return None
     if factor.node.type == "FRESNEL":
         ior = links.value(factor.input("IOR"))
         return ior if isinstance(ior, float) and ior > 1 else None
-    if factor.node.type == "LAYER_WEIGHT" and factor.socket.name == "Fresnel":
+    if factor.socket.name == "Fresnel":
         blend = links.value(factor.input("Blend"))
         return 1 / max(1 - blend, 0.1) if isinstance(blend, float) and 0 < blend else None
     return None
@@ -90,10 +90,10 @@ def _glossy(shader, weight, notes):
 def _glass(shader, weight, notes):
     distribution = shader.node.distribution
     roughness = 0.0 if distribution == "SHARP" else principled.number(shader, notes, "Roughness")
-    ior = values.typical(principled.number(shader, notes, "IOR"))
-    lobe = Lobe(shader.node.name, _MODELS.get(distribution, "ggx"), roughness, fresnel={"ior": min(max(ior, 0.1), 10)})
+    lobe = Lobe(shader.node.name, _MODELS.get(distribution, "ggx"), roughness)
     notes.append(f"{shader.node.name}: what shines through stays as rendered")
-    return [lobe.under(weight, principled.colour(shader, notes, "Color"))]
+    tinted = weight.times(principled.colour(shader, notes, "Color"))
+    return [lobe.under(principled.through_glass(shader, tinted, notes), 1.0)]
 
 
 def _refraction(shader, weight, notes):

@@ -74,7 +74,21 @@ def multiply(a, b):
             return other
         if is_known(one) and set(channels(one)) == {0}:
             return 0.0
+    if is_known(b) and not is_known(a):
+        a, b = b, a
+    if is_known(a) and not is_known(b):
+        known, rest = factors(b)
+        return apply("MULTIPLY", apply("MULTIPLY", a, known), rest)
     return apply("MULTIPLY", a, b)
+
+
+def factors(value):
+    """(known, rest) whose product a value is; rest 1 where it is known."""
+    if is_known(value):
+        return value, 1.0
+    if value.operation == "MULTIPLY" and is_known(value.arguments[0]):
+        return value.arguments
+    return 1.0, value
 
 
 def add(a, b):
@@ -103,11 +117,18 @@ def mean(value):
     return Expression("MEAN", (value,), False, sum(channels(value.typical)) / 3)
 
 
+def fresnel(ior, normal=None):
+    """Reflectance of a dielectric at the surface's normal, as Cycles' Fresnel node has it; `normal`: expression of another one."""
+    return Expression("FRESNEL", (ior, normal), False, ((typical(ior) - 1) / (typical(ior) + 1)) ** 2)
+
+
 def node_of(tree, value, made):
     """The output socket that gives `value` in a node tree; nodes it takes are added to `tree` and appended to `made`."""
     if not is_known(value) and value.operation == "SOCKET":
         name, index = value.arguments
         return tree.nodes[name].outputs[index]
+    if not is_known(value) and value.operation == "FRESNEL":
+        return _fresnel_node(tree, *value.arguments, made)
     arguments = ("", value) if is_known(value) else (value.operation, *value.arguments)
     return _operator_node(tree, is_colour(value), *arguments, made=made)
 
@@ -122,9 +143,21 @@ def _operator_node(tree, colour, operation, *arguments, made):
     made.append(node)
     node.operation = operation or "ADD"
     for index, argument in enumerate(arguments if operation else (*arguments, 0.0)):
-        socket = node.inputs[index]
-        if is_known(argument):
-            socket.default_value = channels(argument) if colour else argument
-        else:
-            tree.links.new(node_of(tree, argument, made), socket)
+        _feed(tree, node.inputs[index], channels(argument) if colour and is_known(argument) else argument, made)
     return node.outputs["Value" if node.operation == "DOT_PRODUCT" or not colour else "Vector"]
+
+
+def _fresnel_node(tree, ior, normal, made):
+    node = tree.nodes.new("ShaderNodeFresnel")
+    made.append(node)
+    _feed(tree, node.inputs["IOR"], ior, made)
+    if normal:
+        _feed(tree, node.inputs["Normal"], normal, made)
+    return node.outputs[0]
+
+
+def _feed(tree, socket, value, made):
+    if is_known(value):
+        socket.default_value = value
+    else:
+        tree.links.new(node_of(tree, value, made), socket)
