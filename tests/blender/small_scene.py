@@ -51,7 +51,7 @@ def _sky(scene, file):
 def _ball(name, x, kind, **inputs):
     """A ball that casts no light on others."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32, radius=1, location=(x, 0, 0))
-    ball = bpy.context.object
+    ball = bpy.context.view_layer.objects.active
     ball.name = name
     for face in ball.data.polygons:
         face.use_smooth = True
