@@ -1,5 +1,6 @@
 #include <burnish/job/flow.h>
 
+#include <burnish/composite/sample_grid.h>
 #include <burnish/job/band_source.h>
 #include <burnish/job/build_lights.h>
 #include <burnish/job/flow_progress.h>
@@ -52,8 +53,14 @@ private:
         band.is_run_over = true;
         Rig rig = timed(m_report.seconds, "light",
                         [&] { return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band)); });
-        m_look = prepare_look(m_job, m_wardrobe, std::move(rig), static_cast<int>(m_frames.size()));
+        m_look = prepare_look(m_job, m_wardrobe, std::move(rig), {samples_of(band), static_cast<int>(m_frames.size())});
         band.is_run_over = false;
+    }
+
+    /// Of its whole frame.
+    static size_t samples_of(const Band& band) {
+        const size_t pixels = static_cast<size_t>(band.whole.width) * static_cast<size_t>(band.whole.height);
+        return pixels * static_cast<size_t>(band.fine ? sample_grid(band.frame, *band.fine).sample_count() : 1);
     }
 
     /// The lights that are the frame's own, with its first band.

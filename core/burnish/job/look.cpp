@@ -77,10 +77,15 @@ Wardrobe prepare_wardrobe(const Job& job) {
     return wardrobe;
 }
 
-Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, int frames) {
-    Look look{std::move(wardrobe), std::move(rig), {job.estimator, job.density, {}}, frames, {}, {}};
+Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, const Workload& work) {
+    Look look{std::move(wardrobe), std::move(rig), {job.estimator, job.density, {}}, work.frames, {}, {}};
     look.ready = std::make_shared<ReadyMaterials>();
-    if (job.target.is_set()) look.plan = std::make_shared<LookPlan>(job.target);
+    if (job.target.is_set()) {
+        look.plan = std::make_shared<LookPlan>(job.target);
+        return look;
+    }
+    const bool is_near = look.rig.lights.size() > (look.rig.has_environment() ? 1 : 0);
+    look.shading.density.density = settled_density(job.density.density, job.estimator, work.pixels, is_near);
     return look;
 }
 

@@ -56,7 +56,7 @@ ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::st
     std::erase_if(options.channels, is_elsewhere);
     options.view = job.view;
     if (part == FramePart::picture) return options;
-    if (is_sparse(job.density.density, job.estimator.kind)) options.shaded_block = ShadingPlan::kBlock;
+    if (may_be_sparse(job.density.density, job.estimator.kind)) options.shaded_block = ShadingPlan::kBlock;
     options.camera = camera_source(camera);
     options.cryptomattes =
         std::any_of(wardrobe.rules.begin(), wardrobe.rules.end(), [](const AssignRule& r) { return !r.cryptomatte.empty(); });

@@ -51,7 +51,7 @@ private:
         const LightFrame of_light{frame.renderer, frame.camera, number};
         if (!m_look) {
             Rig rig = build_rig(m_job, m_wardrobe.rules, m_color, nullptr, of_light);
-            m_look = prepare_look(m_job, m_wardrobe, std::move(rig));
+            m_look = prepare_look(m_job, m_wardrobe, std::move(rig), {});
             if (const Environment* environment = m_look->rig.environment())
                 m_variances = prepare_variances(m_wardrobe.materials, *environment, m_job.density);
         }

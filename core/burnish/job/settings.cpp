@@ -135,7 +135,8 @@ void add_density(std::vector<Setting>& table) {
         {"density", "quality", "density"}, AT(density.density),
         {{"auto", ShadingDensity::automatic}, {"dense", ShadingDensity::dense}, {"sparse", ShadingDensity::sparse}},
         "which pixels are shaded: dense, all of them; sparse, as many as the predicted bandwidth "
-        "asks for, the others are interpolated; auto: sparse, dense for reference"));
+        "asks for, the others are interpolated; auto: sparse from two million pixels, 32 lookups or "
+        "lights near the objects on, but dense for reference"));
     table.push_back(
         choice<PredictionKind>({"prediction", "quality", "prediction"}, AT(density.prediction),
                                {{"curvature", PredictionKind::curvature},
