@@ -83,7 +83,7 @@ def _background(world):
         return 0.0
     if shader.node.type != "BACKGROUND":
         return None
-    strength = links.value(shader.input("Strength"))
+    strength = links.value(shader.input("Strength"), links.REFLECTED)
     if not isinstance(strength, float):
         return None
     return 0.0 if strength <= 0 else _picture(shader.input("Color"), strength)
@@ -93,7 +93,7 @@ def _picture(place, factor):
     """A colour socket times a factor (number or colour), as for `_background`."""
     found = links.source(place)
     if found is None:
-        colour = values.multiply(values.channels(links.value(place)), factor)
+        colour = values.multiply(values.channels(links.value(place, links.REFLECTED)), factor)
         return 0.0 if max(values.channels(colour)) <= 0 else values.channels(colour)
     if found.node.type == "TEX_ENVIRONMENT":
         turn = _turn(found)
