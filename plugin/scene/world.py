@@ -14,7 +14,7 @@ import os
 import bpy
 from mathutils import Euler
 
-from . import links, renders, values
+from . import fingerprint, links, renders, values
 from .borrowed import Borrowed
 
 _LINEAR = {"Linear", "Linear Rec.709", "Linear Rec.709 (sRGB)", "Non-Color", "Raw"}
@@ -161,9 +161,21 @@ def _file_of(image, folder):
 
 
 def _bake(scene, world, folder, background):
-    """Render the world alone, all around; returns the EXR."""
+    """Render the world alone, all around; returns the EXR. One that shows the same world is there to stay."""
     width = 64 if isinstance(background, tuple) else _width_of(world)
-    file = os.path.join(folder, "world.exr")
+    file, note = os.path.join(folder, "world.exr"), os.path.join(folder, "world.txt")
+    shown = fingerprint.of_world(world, scene.frame_current)
+    if os.path.exists(file) and os.path.exists(note):
+        with open(note) as text:
+            if text.read() == shown:
+                return file
+    _render(scene, world, file, width)
+    with open(note, "w") as text:
+        text.write(shown)
+    return file
+
+
+def _render(scene, world, file, width):
     alone = bpy.data.scenes.new("burnish")
     with Borrowed() as borrowed:
         borrowed.later(lambda: bpy.data.scenes.remove(alone))
@@ -179,7 +191,6 @@ def _bake(scene, world, folder, background):
         data.type = "PANO"
         (data.cycles if hasattr(data.cycles, "panorama_type") else data).panorama_type = "EQUIRECTANGULAR"
         renders.write(alone, file)
-    return file
 
 
 def _width_of(world):

@@ -60,6 +60,17 @@ tree.nodes["Background"].inputs["Color"].default_value = (0.1, 0.2, 0.4, 1)
 grey = world.read_world(scene, os.path.join(OUT, "new", "folder"))
 assert os.path.exists(grey.settings["env"])
 assert grey.settings["env_convention"] == "blender" and grey.settings["up"] == "z"
+ramp = tree.nodes.new("ShaderNodeValToRGB")
+link = lambda: tree.links.new(ramp.outputs[0], tree.nodes["Background"].inputs["Color"])
+recolour = lambda: setattr(ramp.color_ramp.elements[0], "color", (1, 0, 0, 1))
+move = lambda: setattr(ramp, "location", (300, 0))
+for change, is_other in ((link, True), (recolour, True), (move, False)):  # rendered anew where it shines otherwise
+    world.read_world(scene, OUT)
+    os.utime(f"{OUT}/world.exr", (0, 0))
+    change()
+    assert world.read_world(scene, OUT).settings["env"] == f"{OUT}/world.exr"
+    assert (os.stat(f"{OUT}/world.exr").st_mtime > 0) == is_other, change
+tree.nodes.remove(ramp)
 scene.world.cycles_visibility.glossy = False
 assert world.read_world(scene, OUT).settings == {}
 scene.world.cycles_visibility.glossy = True
