@@ -10,4 +10,5 @@ checks      what would spoil the result
 materials   world   lamps   camera                     parts of a shot file
 mirrors     flat glossy surfaces                       bake        cube maps and mirrors rendered for them
 borrowed    settings changed for the time of a render  renders     that render
+fingerprint whether a picture still shows what it was made of
 """

@@ -94,7 +94,7 @@ def bake_mirror(scene, mirror, folder, samples=64, progress=None, reflections=Tr
         renders.report(progress, f"mirror {mirror.object_name}", 0.0)
         _show(copy, borrowed, reflections)
         borrowed.set(bpy.data.objects[mirror.object_name], "visible_camera", False)
-        for thing in _behind(copy, mirror):
+        for thing in _behind(scene, mirror):
             borrowed.set(thing, "visible_camera", False)
         data = scene.camera.data.copy()
         data.shift_x, data.dof.use_dof = -data.shift_x, False

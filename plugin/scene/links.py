@@ -11,6 +11,10 @@ import dataclasses
 from . import values
 
 
+CAMERA = ("Is Camera Ray",)  # what Light Path nodes say yes to
+REFLECTED = ("Is Glossy Ray", "Is Reflection Ray")
+
+
 @dataclasses.dataclass(frozen=True)
 class Place:
     socket: object
@@ -72,13 +76,13 @@ def _same(sockets, wanted):
     return next(socket for socket in sockets if socket.identifier == wanted.identifier)
 
 
-def value(place):
-    """The number or colour an input holds, or the Expression that gives it; an expression inside a group is None."""
+def value(place, rays=CAMERA):
+    """The number or colour an input holds for such rays, or the Expression that gives it; one inside a group is None."""
     found = source(place)
     if found is None:
         last = end(place)
         return _plain((last or place).socket)
-    known = _known_output(found)
+    known = _known_output(found, rays)
     if known is not None:
         return known
     return None if found.groups else values.from_socket(found.socket, _plain(place.socket))
@@ -97,11 +101,11 @@ def _plain(socket):
     return float(number) if isinstance(number, (int, float)) else tuple(float(part) for part in number)[:3]
 
 
-def _known_output(place):
-    """What nodes give that are the same for every pixel a camera sees; None: not one of them."""
+def _known_output(place, rays):
+    """What nodes give that are the same for every such ray; None: not one of them."""
     node = place.node
     if node.type in ("VALUE", "RGB"):
         return _plain(place.socket)
     if node.type == "LIGHT_PATH" and place.socket.name != "Ray Length":
-        return 1.0 if place.socket.name == "Is Camera Ray" else 0.0
+        return 1.0 if place.socket.name in rays else 0.0
     return None

@@ -51,12 +51,11 @@ def find_mirrors(scene):
 
 
 def _mirror(scene, thing, glossy):
-    plane = _largest_plane(thing, [_is_glossy(slot.material, glossy) for slot in thing.material_slots])
+    eye = np.array(scene.camera.matrix_world.translation)
+    plane = _largest_plane(thing, [_is_glossy(slot.material, glossy) for slot in thing.material_slots], eye)
     if plane is None:
         return None
     point, normal, own = plane
-    if normal.dot(scene.camera.matrix_world.translation - point) <= 0:
-        return None
     area = sum(_seen_area(scene, [thing.matrix_world @ thing.data.vertices[i].co for i in face.vertices]) for face in own)
     if area < _LEAST_AREA:
         return None
@@ -71,28 +70,39 @@ def _is_glossy(material, known):
     return known[material.name]
 
 
-def _largest_plane(thing, is_glossy):
-    """(point, unit normal, faces) around the largest glossy face, world space; None where they are a small part of the object."""
-    faces = thing.data.polygons
-    if not any(is_glossy):
+def _largest_plane(thing, is_glossy, eye):
+    """(point, unit normal, faces) around the largest glossy face that the eye sees, world space; None: a small part of the object."""
+    if not any(is_glossy) or not len(thing.data.polygons):
         return None
-    area, normal, centre, slot = (_all(faces, name, width, kind) for name, width, kind in
-                                  (("area", 1, float), ("normal", 3, float), ("center", 3, float), ("material_index", 1, int)))
-    shines = np.array(is_glossy)[np.minimum(slot[:, 0], len(is_glossy) - 1)]
+    area, normal, centre, slot = _in_world(thing)
+    facing = ((eye - centre) * normal).sum(1)
+    if facing.max() <= 0:  # a sheet, from behind
+        normal, facing = -normal, -facing
+    shines = np.array(is_glossy)[np.minimum(slot, len(is_glossy) - 1)] & (facing > 0)
     if not shines.any():
         return None
-    largest = int(np.argmax(area[:, 0] * shines))
+    largest = int(np.argmax(area * shines))
     n, c = normal[largest], centre[largest]
     reach = _FLAT * max(np.ptp(centre, axis=0).max(), np.sqrt(area.max()))
     in_plane = shines & (normal @ n > 1 - _FLAT) & (np.abs((centre - c) @ n) < reach)
     if area[in_plane].sum() < _LEAST_SHARE * area.sum():
         return None
-    turned = thing.matrix_world.inverted_safe().transposed().to_3x3() @ Vector(n)
-    return thing.matrix_world @ Vector(c), turned.normalized(), [faces[int(i)] for i in np.flatnonzero(in_plane)]
+    return Vector(c), Vector(n), [thing.data.polygons[int(i)] for i in np.flatnonzero(in_plane)]
+
+
+def _in_world(thing):
+    """Areas, unit normals, centres and material slots of an object's faces."""
+    area, normal, centre, slot = (_all(thing.data.polygons, name, width, kind) for name, width, kind in
+                                  (("area", 1, np.float32), ("normal", 3, np.float32), ("center", 3, np.float32), ("material_index", 1, np.int32)))
+    matrix = np.array(thing.matrix_world, np.float64)
+    turned = normal @ np.linalg.pinv(matrix[:3, :3])
+    length = np.maximum(np.linalg.norm(turned, axis=1), 1e-30)
+    stretch = abs(np.linalg.det(matrix[:3, :3])) * length
+    return area[:, 0] * stretch, turned / length[:, None], centre @ matrix[:3, :3].T + matrix[:3, 3], slot[:, 0]
 
 
 def _all(faces, name, width, kind):
-    numbers = np.empty(len(faces) * width, np.float32 if kind is float else np.int32)
+    numbers = np.empty(len(faces) * width, kind)
     faces.foreach_get(name, numbers)
     return numbers.reshape(-1, width)
 

@@ -12,9 +12,8 @@ import os
 
 import bpy
 
-from . import touched
+from . import links, touched
 
-_SEEN_BY_REFLECTIONS = {"Is Camera Ray": 0.0, "Is Glossy Ray": 1.0, "Is Reflection Ray": 1.0}
 
 
 class Cancelled(Exception):
@@ -32,13 +31,47 @@ class Picture:
 
 @contextlib.contextmanager
 def stage(scene, picture):
-    """A copy of the scene that renders such pictures of its first view layer with Cycles, to multilayer EXRs; gone afterwards."""
-    copy = scene.copy()
+    """Another scene of the same things that renders such pictures with Cycles, to multilayer EXRs; gone afterwards.
+
+    It is made anew: of objects in a scene that was copied Blender 3.4 goes on counting users.
+    """
+    twin = bpy.data.scenes.new("burnish")
     try:
-        set_up(copy, picture)
-        yield copy
+        _copy_settings(scene, twin)
+        set_up(twin, picture)
+        yield twin
     finally:
-        bpy.data.scenes.remove(copy)
+        bpy.data.scenes.remove(twin)
+
+
+def _copy_settings(scene, twin):
+    """All that the first view layer's light depends on."""
+    for thing in scene.collection.objects:
+        twin.collection.objects.link(thing)
+    for child in scene.collection.children:
+        twin.collection.children.link(child)
+    twin.world = scene.world
+    twin.render.engine = "CYCLES"
+    for part in ("render", "cycles", "cycles_curves"):
+        _copy_values(getattr(scene, part), getattr(twin, part))
+    twin.frame_float = scene.frame_float
+    twin.view_layers[0].material_override = scene.view_layers[0].material_override
+    _copy_layers(scene.view_layers[0].layer_collection, twin.view_layers[0].layer_collection)
+
+
+def _copy_values(source, target):
+    for prop in source.bl_rna.properties:
+        if not prop.is_readonly and prop.type in ("BOOLEAN", "INT", "FLOAT", "ENUM") and prop.identifier != "engine":
+            with contextlib.suppress(TypeError, AttributeError):  # enums of what this Blender was built without
+                setattr(target, prop.identifier, getattr(source, prop.identifier))
+
+
+def _copy_layers(source, target):
+    """What a view layer leaves out or shows only indirectly."""
+    for name in ("exclude", "holdout", "indirect_only"):
+        setattr(target, name, getattr(source, name))
+    for child in source.children:
+        _copy_layers(child, target.children[child.name])
 
 
 def set_up(scene, picture):
@@ -104,10 +137,10 @@ def show_what_reflections_see(scene, borrowed):
 
 def fix_light_paths(tree, borrowed):
     """What Light Path nodes say becomes what they say of glossy rays."""
-    links = [link for link in tree.links if link.from_node.type == "LIGHT_PATH" and link.from_socket.name in _SEEN_BY_REFLECTIONS]
-    for socket, value in [(link.to_socket, _SEEN_BY_REFLECTIONS[link.from_socket.name]) for link in links]:
-        if socket.type == "VALUE":
-            borrowed.plug(tree, socket, value)
+    told = [(link.to_socket, link.from_socket.name) for link in tree.links if link.from_node.type == "LIGHT_PATH"]
+    for socket, question in told:
+        if socket.type == "VALUE" and question in (*links.CAMERA, *links.REFLECTED):
+            borrowed.plug(tree, socket, float(question in links.REFLECTED))
 
 
 _SPECULAR_INPUTS = {"BSDF_GLOSSY": ("Color",), "BSDF_ANISOTROPIC": ("Color",), "BSDF_GLASS": ("Color",),

@@ -14,7 +14,7 @@ import os
 import bpy
 from mathutils import Euler
 
-from . import links, renders, values
+from . import fingerprint, links, renders, values
 from .borrowed import Borrowed
 
 _LINEAR = {"Linear", "Linear Rec.709", "Linear Rec.709 (sRGB)", "Non-Color", "Raw"}
@@ -83,7 +83,7 @@ def _background(world):
         return 0.0
     if shader.node.type != "BACKGROUND":
         return None
-    strength = links.value(shader.input("Strength"))
+    strength = links.value(shader.input("Strength"), links.REFLECTED)
     if not isinstance(strength, float):
         return None
     return 0.0 if strength <= 0 else _picture(shader.input("Color"), strength)
@@ -93,7 +93,7 @@ def _picture(place, factor):
     """A colour socket times a factor (number or colour), as for `_background`."""
     found = links.source(place)
     if found is None:
-        colour = values.multiply(values.channels(links.value(place)), factor)
+        colour = values.multiply(values.channels(links.value(place, links.REFLECTED)), factor)
         return 0.0 if max(values.channels(colour)) <= 0 else values.channels(colour)
     if found.node.type == "TEX_ENVIRONMENT":
         turn = _turn(found)
@@ -161,9 +161,21 @@ def _file_of(image, folder):
 
 
 def _bake(scene, world, folder, background):
-    """Render the world alone, all around; returns the EXR."""
+    """Render the world alone, all around; returns the EXR. One that shows the same world is there to stay."""
     width = 64 if isinstance(background, tuple) else _width_of(world)
-    file = os.path.join(folder, "world.exr")
+    file, note = os.path.join(folder, "world.exr"), os.path.join(folder, "world.txt")
+    shown = fingerprint.of_world(world, scene.frame_current)
+    if os.path.exists(file) and os.path.exists(note):
+        with open(note) as text:
+            if text.read() == shown:
+                return file
+    _render(scene, world, file, width)
+    with open(note, "w") as text:
+        text.write(shown)
+    return file
+
+
+def _render(scene, world, file, width):
     alone = bpy.data.scenes.new("burnish")
     with Borrowed() as borrowed:
         borrowed.later(lambda: bpy.data.scenes.remove(alone))
@@ -179,7 +191,6 @@ def _bake(scene, world, folder, background):
         data.type = "PANO"
         (data.cycles if hasattr(data.cycles, "panorama_type") else data).panorama_type = "EQUIRECTANGULAR"
         renders.write(alone, file)
-    return file
 
 
 def _width_of(world):

@@ -91,6 +91,8 @@ def everything():
     found, seen = {}, set()
     for name in ("scenes", "objects", "meshes", "materials", "worlds", "cameras", "lights", "node_groups", "images", "collections"):
         for thing in getattr(bpy.data, name):
+            if name == "images" and thing.type == "RENDER_RESULT":  # of no scene, never saved
+                continue
             _dump(thing, f"{name}[{thing.name}]", found, seen)
             if thing.__class__.__name__ == "Material" or name == "worlds":
                 _dump(thing.node_tree, f"{name}[{thing.name}].node_tree", found, seen)

@@ -1,9 +1,11 @@
 """Prepare and restore: one step there, nothing the second time, and back to exactly what there was."""
 
+import os
+
 import bpy
 from addon import OUT, add, ball, blotches, differences, empty_scene, everything, material
 
-from burnish_addon.scene import checks, passes, touched
+from burnish_addon.scene import bake, checks, mirrors, passes, renders, touched
 
 
 def build():
@@ -58,4 +60,31 @@ lines = touched.restore(scene)
 assert "paint: AOVs taken out" in lines and any("AOV Roughness" in line for line in lines), lines
 assert differences(before, everything()) == [], "\n".join(differences(before, everything()))
 assert touched.restore(scene) == []
+
+# Bakes: whole, stopped, and failed half way.
+floor = add("floor", bpy.data.meshes.new("floor"), (0, 0, -1))
+floor.data.from_pydata([(-9, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)], [], [(0, 1, 2, 3)])
+floor.data.materials.append(material("polish", "Glossy", Roughness=0.1)[0])
+scene.camera.rotation_euler.x -= 0.3
+scene.render.resolution_x, scene.render.resolution_y = 16, 9
+bpy.context.view_layer.update()
+(mirror,) = mirrors.find_mirrors(scene)
+before = everything()
+light = bake.bake_cube(scene, "painted", f"{OUT}/baked", size=8, samples=1, reflections=False)
+assert all(os.path.exists(light["file"] % face) for face in bake.FACES)
+light = bake.bake_mirror(scene, mirror, f"{OUT}/baked", samples=1)
+assert os.path.exists(light["file"])
+assert differences(before, everything()) == [], "\n".join(differences(before, everything()))
+stages = []
+try:
+    bake.bake_cube(scene, "painted", f"{OUT}/stopped", size=8, samples=1, progress=lambda stage, done: stages.append(done) or done < 0.3)
+    raise AssertionError("not stopped")
+except renders.Cancelled:
+    assert stages == [0, 1 / 6, 2 / 6]
+try:
+    bake.bake_mirror(scene, mirror, "/proc/no/such/folder", samples=1)
+    raise AssertionError("not failed")
+except OSError:
+    pass
+assert differences(before, everything()) == [], "\n".join(differences(before, everything()))
 print("CHECKED")
