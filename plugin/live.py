@@ -45,9 +45,9 @@ def moved(scene):
 
 
 def settle(scene):
-    """Wait for the picture of the last move, and show it."""
-    if (worker := _workers.get(scene.name)) is not None:
-        worker.wait()
+    """Wait until the picture of the last move is refined, and show it."""
+    worker = _workers.get(scene.name)
+    while worker and worker.wait():
         _show(worker)
 
 
@@ -74,7 +74,8 @@ def _show(worker):
     overlay, composite, asked = ready
     images.show(images.OVERLAY, overlay, worker.session.covered)
     images.show(images.COMPOSITE, composite)
-    worker.note(time.perf_counter() - asked)
+    if asked:
+        worker.note(time.perf_counter() - asked)
     images.redraw()
 
 
