@@ -38,10 +38,10 @@ class BURNISH_OT_composite(background.Background, bpy.types.Operator):
         if not rendered["assign"]:
             raise RuntimeError("No material that the frame shows reflects anything; prepare the scene, and see that something glossy is in it")
         look, document = bridge.look(scene), bridge.document(scene, rendered)
-        is_written = scene.burnish.writes_exr
+        is_written, is_filtered = scene.burnish.writes_exr, bridge.is_filtered(scene)
 
         def composite(progress):
-            session = Session(rendered, look, progress)
+            session = Session(rendered, look, is_filtered, progress)
             if is_written:
                 package.load().run(document, progress)
             return session

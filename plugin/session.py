@@ -2,7 +2,7 @@
 """A frame and its light, read once and composited again as its look changes. Knows burnish, but no bpy: it runs in a thread.
 
 The overlay is the sum over the materials. When one of them moves, it alone is shaded (the others without lobes), and takes the
-place of what it was: by a regular pattern, whose tables are made in no time, as long as it moves (`shade`), and as it is set when
+place of what it was: by a regular pattern without tables, as long as it moves (`shade`), and as it is set when
 it rests (`refine`).
 """
 
@@ -16,19 +16,21 @@ AS_RENDERED = " (as rendered)"  # the old material of mode difference
 _LIGHT = ("env", "env_convention", "env_rotate", "env_flip", "env_scale", "env_tint", "env_face_size", "env_kernel", "env_suns")
 _FRAME = ("aovs", "fine_aovs", "camera", "channel", "view")
 _BARE = {"lobes": []}
-_QUICK = {"estimator": "regular", "samples": 12, "density": "dense", "psnr": 0.0}
+_QUICK = {"estimator": "regular", "samples": 12, "albedo_correction": False, "density": "dense", "psnr": 0.0}
 
 
 class Session:
-    """`shot`: settings by name, with the materials and the light as they were rendered; `look`: how they are now."""
+    """`shot`: settings by name, with the materials and the light as they were rendered; `look`: how they are now; `is_filtered`:
+    whether pixels may show several materials at once."""
 
-    def __init__(self, shot, look, progress=None):
+    def __init__(self, shot, look, is_filtered=True, progress=None):
         self._burnish = package.load()
         self._shot, self._look = shot, look
         frame = {name: value for name, value in shot.items() if name not in (*_LIGHT, "up", "lights", "fine_aovs")}
         self._frame = self._burnish.Frame(**frame)
         self._fine = self._burnish.Frame(**{**frame, "aovs": shot["fine_aovs"]}) if "fine_aovs" in shot else None
         self._light = self._read_light(look)
+        self._shares_pixels = is_filtered and self._fine is None
         self._still = {name: value for name, value in shot.items() if name not in (*_LIGHT, *_FRAME, "materials")}
         self._apart, self._rest = None, None  # the material that moved last, and the overlay of all others
         self._is_exact = True
@@ -71,10 +73,11 @@ class Session:
         return overlay, composite
 
     def part(self, name, look=None, settings=None):
-        """The overlay of one material."""
+        """The overlay of one material: by its own rules, or among all of them where they compete for pixels."""
         worn, kept = self._worn(look or self._look), (name, name + AS_RENDERED)
         bare = {other: material if other in kept else _BARE for other, material in worn.items()}
-        return self._composite(bare, settings)["overlay"]
+        rules = [rule for rule in self._still["assign"] if self._shares_pixels or rule["material"] == name]
+        return self._composite(bare, {**(settings or {}), "assign": rules})["overlay"]
 
     def rendered(self):
         """What the renderer itself has in the overlay's place: specular radiance (height, width, 3)."""

@@ -1,4 +1,7 @@
-"""A still life for the picture in the docs, made in Blender: brushed steel, gold, lacquer and a lens of glass-smooth plastic."""
+"""A still life for the picture in the docs, made in Blender: brushed steel, gold and lacquer on a dull table.
+
+Reflections see the world alone, so that they can be compared with those that burnish makes of it.
+"""
 
 import math
 import pathlib
@@ -20,6 +23,7 @@ def build(_folder, width, height, samples):
     _camera(scene)
     bpy.ops.mesh.primitive_plane_add(size=60)
     _wear("table", **{"Base Color": (0.16, 0.13, 0.11, 1), "Roughness": 1.0, "Specular": 0.0})
+    bpy.context.view_layer.objects.active.visible_shadow = False
     bpy.ops.mesh.primitive_monkey_add(size=1.9, location=(0, 0.3, 0.95), rotation=(math.radians(-12), 0, math.radians(8)))
     _smooth(2)
     _wear("gold", **{"Base Color": (1.0, 0.72, 0.3, 1), "Metallic": 1.0, "Roughness": 0.28})
@@ -66,6 +70,6 @@ def _wear(name, **inputs):
     for socket, value in inputs.items():
         shader.inputs[socket].default_value = value
     thing = bpy.context.view_layer.objects.active
-    thing.name = name
+    thing.name, thing.visible_glossy = name, False
     thing.data.materials.clear()
     thing.data.materials.append(material)
