@@ -15,9 +15,11 @@ bl_info = {
 }
 
 # In the order they are registered. Reloading the add-on (F8) reads all of its files again.
-MODULES = ("preferences", "properties", "operators", "operators_render", "operators_composite", "operators_bake", "panels", "live")
+MODULES = ("preferences", "properties", "operators", "operators_render", "operators_composite", "operators_bake",
+           "panels", "live")
 for _own in [name for name in sys.modules if name.startswith(f"{__name__}.")]:
     del sys.modules[_own]
+_classes = importlib.import_module(f"{__name__}.classes")
 _modules = [importlib.import_module(f"{__name__}.{name}") for name in MODULES]
 
 
@@ -25,10 +27,10 @@ def register():
     """Classes, properties, handlers; a second time the same."""
     unregister()
     for module in _modules:
-        module.register()
+        _classes.register(module)
 
 
 def unregister():
     """Leave nothing behind."""
     for module in reversed(_modules):
-        module.unregister()
+        _classes.unregister(module)

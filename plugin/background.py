@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that work while Blender goes on: progress in the status bar, Esc stops, one line at the end. At once in background mode."""
+"""Operators that work while Blender goes on: progress in the status bar, Esc stops, one line at the end.
+
+In background mode they work at once.
+"""
 
 import bpy
 

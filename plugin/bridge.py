@@ -37,23 +37,24 @@ def folder(scene):
 
 
 def as_rendered(scene, frame_file):
-    """Settings by name: materials, light, camera as the scene has them, without the live sliders; and what could not be represented."""
-    wardrobe, sky, lights = materials.read_materials(scene), world.read_world(scene, folder(scene)), lamps.read_lamps(scene)
-    shot = {"aovs": frame_file, "camera": camera.read_camera(scene), "materials": wardrobe.materials, "assign": wardrobe.assign,
+    """Settings by name: materials, light, camera as the scene has them, without the live sliders; and what that leaves out."""
+    wardrobe, lights = materials.read_materials(scene), lamps.read_lamps(scene)
+    sky = world.read_world(scene, folder(scene))
+    shot = {"aovs": frame_file, "camera": camera.read_camera(scene), "materials": dict(wardrobe.materials), "assign": wardrobe.assign,
             **sky.settings, **_antialiasing(scene), **settings.values(scene.burnish.settings, live=False)}
     near = {**lights.lights, **{light.name: json.loads(light.document) for light in scene.burnish.lights}}
     if near:
         shot["lights"] = near
     if shot.get("mode") == "difference":
         shot["old_material"] = {name: name + AS_RENDERED for name in wardrobe.materials}
-        shot["materials"] = {**wardrobe.materials, **{name + AS_RENDERED: own for name, own in wardrobe.materials.items()}}
+        shot["materials"].update({name + AS_RENDERED: own for name, own in wardrobe.materials.items()})
     return shot, [*wardrobe.notes, *sky.notes, *lights.notes]
 
 
 def look(scene):
     """Where the live sliders are."""
     own, live = scene.burnish, settings.live_values(scene.burnish.settings)
-    sliders = {each.name: {"roughness": each.roughness, "anisotropy": each.anisotropy, "rotation": each.rotation, "gain": each.gain,
+    sliders = {each.name: {**{name: getattr(each, name) for name in ("roughness", "anisotropy", "rotation", "gain")},
                            "tint": tuple(each.tint)} for each in own.materials}
     weight = tuple(live["gain"] * channel for channel in live["tint"])
     return Look(sliders, {name: live[name] for name in ("env_rotate", "env_scale", "env_tint")}, weight)
@@ -133,7 +134,8 @@ def _document(values, folder):
         else:
             holder = document.setdefault(setting["section"], {}) if setting["section"] else document
             holder[setting["key"]] = value
-    near = {name: {**own, "file": _relative(own["file"], folder)} if "file" in own else own for name, own in values.get("lights", {}).items()}
+    near = {name: {**own, **({"file": _relative(own["file"], folder)} if "file" in own else {})}
+            for name, own in values.get("lights", {}).items()}
     sky = {"world": {"type": "environment", **light}} if "file" in light else {}
     return {**document, **({"lights": {**sky, **near}} if sky or near else {})}
 

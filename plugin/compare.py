@@ -10,7 +10,7 @@ from . import package
 
 @dataclasses.dataclass(frozen=True)
 class Comparison:
-    """`psnr_db` of all covered pixels and of each material's (display PSNR); `difference`: absolute, (height, width, 3), linear."""
+    """Display PSNR of all covered pixels and of each material's; `difference`: absolute, (height, width, 3), linear."""
 
     psnr_db: float
     materials: dict

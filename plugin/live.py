@@ -92,6 +92,9 @@ def _forget(*_):
         _workers.pop(name).end()
 
 
+CLASSES = ()
+
+
 def register():
     """Watch for files that are opened."""
     bpy.app.handlers.load_pre.append(_forget)

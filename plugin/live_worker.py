@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The thread that shades a session's looks: the newest one wins. No bpy here.
 
-A look that comes while another is shaded waits; one that comes after it takes its place. When none comes, the last one is refined.
+A look that comes while another is shaded waits; one that comes after it takes its place. When none comes, the last one is
+refined.
 """
 
 import threading

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The compositor node group "burnish": adds the overlay image to the render; with Replace at 1 it takes Cycles' own reflections out.
+"""The compositor node group "burnish": adds the overlay image to the render, and takes Cycles' own reflections out.
 
     Image + Tint * Gain * overlay - Replace * coverage * GlossCol * (GlossDir + GlossInd)
 """

@@ -6,7 +6,7 @@ import os
 
 import bpy
 
-from . import bridge, classes, images, live, node_group, package
+from . import bridge, images, live, node_group, package
 from .scene import passes, touched
 
 
@@ -121,13 +121,3 @@ class BURNISH_OT_link(bpy.types.Operator):
 
 
 CLASSES = (BURNISH_OT_prepare, BURNISH_OT_restore, BURNISH_OT_sync, BURNISH_OT_shot, BURNISH_OT_link)
-
-
-def register():
-    """All of them."""
-    classes.register(CLASSES)
-
-
-def unregister():
-    """All of them."""
-    classes.unregister(CLASSES)

@@ -5,7 +5,7 @@ import json
 
 import bpy
 
-from . import background, bridge, classes, package
+from . import background, bridge, package
 from .scene import bake, mirrors, renders
 
 
@@ -46,7 +46,8 @@ class BURNISH_OT_bake_cube(_Bake):
         thing, own = context.active_object, context.scene.burnish
         if thing is None:
             raise RuntimeError("No object is active; select the one that reflects")
-        yield thing.name, bake.bake_cube(context.scene, thing.name, bridge.folder(context.scene), own.bake_size, own.bake_samples, progress)
+        folder = bridge.folder(context.scene)
+        yield thing.name, bake.bake_cube(context.scene, thing.name, folder, own.bake_size, own.bake_samples, progress)
 
 
 class BURNISH_OT_bake_mirrors(_Bake):
@@ -61,7 +62,8 @@ class BURNISH_OT_bake_mirrors(_Bake):
         if not found:
             raise RuntimeError("No flat glossy surface fills a good part of the picture")
         for mirror in found:
-            yield mirror.object_name, bake.bake_mirror(context.scene, mirror, bridge.folder(context.scene), own.bake_samples, progress)
+            light = bake.bake_mirror(context.scene, mirror, bridge.folder(context.scene), own.bake_samples, progress)
+            yield mirror.object_name, light
 
 
 class BURNISH_OT_forget_light(bpy.types.Operator):
@@ -82,13 +84,3 @@ class BURNISH_OT_forget_light(bpy.types.Operator):
 
 
 CLASSES = (BURNISH_OT_bake_cube, BURNISH_OT_bake_mirrors, BURNISH_OT_forget_light)
-
-
-def register():
-    """All of them."""
-    classes.register(CLASSES)
-
-
-def unregister():
-    """All of them."""
-    classes.unregister(CLASSES)

@@ -6,7 +6,7 @@ import os
 
 import bpy
 
-from . import background, bridge, classes, compare, images, live, package
+from . import background, bridge, compare, images, live, package
 from .session import Session
 
 
@@ -16,7 +16,7 @@ def _frame_file(context):
 
 
 class BURNISH_OT_composite(background.Background, bpy.types.Operator):
-    """Add the reflections to the rendered frame; the images "burnish composite" and "burnish overlay" show them, and sliders move them"""
+    """Add the reflections to the rendered frame; the image "burnish composite" shows it, and sliders move it"""
 
     bl_idname = "burnish.composite"
     bl_label = "Composite"
@@ -36,7 +36,7 @@ class BURNISH_OT_composite(background.Background, bpy.types.Operator):
         bridge.sync(scene, everything=False)
         rendered, self._notes = bridge.as_rendered(scene, _frame_file(context))
         if not rendered["assign"]:
-            raise RuntimeError("No material that the frame shows reflects anything; prepare the scene, and see that something glossy is in it")
+            raise RuntimeError("Nothing in the scene reflects: no glossy material was found")
         look, document = bridge.look(scene), bridge.document(scene, rendered)
         is_written, is_filtered = scene.burnish.writes_exr, bridge.is_filtered(scene)
 
@@ -61,7 +61,7 @@ class BURNISH_OT_composite(background.Background, bpy.types.Operator):
 
 
 class BURNISH_OT_compare(background.Background, bpy.types.Operator):
-    """Measure how near the overlay comes to Cycles' own glossy passes, whole and by material; "burnish difference" shows where it is off"""
+    """Measure how near the overlay comes to Cycles' own glossy passes; "burnish difference" shows where it is off"""
 
     bl_idname = "burnish.compare"
     bl_label = "Compare with Cycles"
@@ -90,12 +90,6 @@ class BURNISH_OT_compare(background.Background, bpy.types.Operator):
 CLASSES = (BURNISH_OT_composite, BURNISH_OT_compare)
 
 
-def register():
-    """Both."""
-    classes.register(CLASSES)
-
-
 def unregister():
-    """Stop what works, first."""
+    """Stop what works."""
     background.stop_all()
-    classes.unregister(CLASSES)

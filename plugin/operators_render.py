@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import background, bridge, classes, package, render
+from . import background, bridge, package, render
 from .scene import renders
 
 
@@ -25,12 +25,14 @@ class BURNISH_OT_render(bpy.types.Operator):
         if bpy.app.background:
             return self.execute(context)
         cls, scene = type(self), context.scene
-        _render_fine(scene)
         file = render.frame_file(scene, bridge.folder(scene))
+        try:
+            _files[scene.name] = file, _render_fine(scene)
+        except RuntimeError as error:
+            return self._failed(error)
         cls._loan = render.borrow_output(scene, file, scene.burnish.color_depth)
         bpy.app.handlers.render_complete.append(_completed)
         bpy.app.handlers.render_cancel.append(_cancelled)
-        _files[scene.name] = file
         bpy.ops.render.render("INVOKE_DEFAULT", write_still=True)
         return {"FINISHED"}
 
@@ -39,27 +41,36 @@ class BURNISH_OT_render(bpy.types.Operator):
         scene = context.scene
         file = render.frame_file(scene, bridge.folder(scene))
         try:
-            _render_fine(scene)
+            fine = _render_fine(scene)
             with render.borrow_output(scene, file, scene.burnish.color_depth):
                 renders.write(scene, file)
         except RuntimeError as error:
-            self.report({"ERROR"}, " ".join(str(error).split()))
-            return {"CANCELLED"}
-        scene.burnish.frame_file = file
+            return self._failed(error)
+        _keep(scene, file, fine)
         self.report({"INFO"}, f"Rendered {file}")
         return {"FINISHED"}
 
+    def _failed(self, error):
+        self.report({"ERROR"}, " ".join(str(error).split()))
+        return {"CANCELLED"}
 
-_files = {}  # scene name -> what is being rendered
+
+_files = {}  # scene name -> the frame that is being rendered, and its fine surfaces
 
 
 def _render_fine(scene):
+    """The file of the fine surfaces, or nothing where none are wanted."""
     factor = int(scene.burnish.fine_factor)
-    scene.burnish.fine_file = ""
-    if factor and bridge.is_filtered(scene):
-        file = render.frame_file(scene, bridge.folder(scene), "fine")
-        render.render_fine(scene, file, factor)
-        scene.burnish.fine_file = file
+    if not factor or not bridge.is_filtered(scene):
+        return ""
+    file = render.frame_file(scene, bridge.folder(scene), "fine")
+    render.render_fine(scene, file, factor)
+    return file
+
+
+def _keep(scene, file, fine):
+    scene.burnish.frame_file = file
+    scene.burnish.fine_file = fine
 
 
 def _completed(scene, *_):
@@ -76,9 +87,9 @@ def _give_back(name, is_complete):
     if BURNISH_OT_render._loan:
         BURNISH_OT_render._loan.__exit__()
         BURNISH_OT_render._loan = None
-    file = _files.pop(name, None)
-    if is_complete and file and name in bpy.data.scenes:
-        bpy.data.scenes[name].burnish.frame_file = file
+    files = _files.pop(name, None)
+    if is_complete and files and name in bpy.data.scenes:
+        _keep(bpy.data.scenes[name], *files)
 
 
 def _forget_handlers():
@@ -90,12 +101,6 @@ def _forget_handlers():
 CLASSES = (BURNISH_OT_render,)
 
 
-def register():
-    """The operator."""
-    classes.register(CLASSES)
-
-
 def unregister():
     """Give back what is borrowed."""
     _give_back("", False)
-    classes.unregister(CLASSES)

@@ -6,7 +6,7 @@ import os
 
 import bpy
 
-from . import classes, images, live, package, preferences, settings
+from . import images, live, package, preferences, settings
 from .scene import checks, touched
 
 
@@ -185,14 +185,5 @@ def _split(layout):
     return layout
 
 
-CLASSES = (BURNISH_PT_render, BURNISH_PT_frame, BURNISH_PT_quality, BURNISH_PT_light, BURNISH_UL_materials, BURNISH_PT_image, BURNISH_PT_nodes)
-
-
-def register():
-    """All of them."""
-    classes.register(CLASSES)
-
-
-def unregister():
-    """All of them."""
-    classes.unregister(CLASSES)
+CLASSES = (BURNISH_PT_render, BURNISH_PT_frame, BURNISH_PT_quality, BURNISH_PT_light, BURNISH_UL_materials, BURNISH_PT_image,
+           BURNISH_PT_nodes)

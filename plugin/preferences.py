@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import classes, package
+from . import package
 
 
 def draw_failure(layout):
@@ -29,13 +29,3 @@ class BURNISH_AP_preferences(bpy.types.AddonPreferences):
 
 
 CLASSES = (BURNISH_AP_preferences,)
-
-
-def register():
-    """The class."""
-    classes.register(CLASSES)
-
-
-def unregister():
-    """The class."""
-    classes.unregister(CLASSES)

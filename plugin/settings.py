@@ -8,8 +8,8 @@ import bpy
 from . import package
 
 # What a scene offers; the rest of a shot comes from the scene itself.
-OFFERED = ("psnr", "estimator", "samples", "density", "safety", "mode", "edge_coverage", "env_rotate", "env_scale", "env_tint", "gain",
-           "tint", "pixel_type", "threads")
+OFFERED = ("psnr", "estimator", "samples", "density", "safety", "mode", "edge_coverage", "env_rotate", "env_scale", "env_tint",
+           "gain", "tint", "pixel_type", "threads")
 # What shows at once in the images of the last composite.
 LIVE = ("env_rotate", "env_scale", "env_tint", "gain", "tint")
 _SOFT_MAX = {"env_scale": 10.0, "gain": 4.0, "safety": 4.0, "samples": 64, "threads": 16}
@@ -42,7 +42,8 @@ def _property(setting, update):
     default, choices = setting["default"], setting["choices"]
     words = {"name": setting["name"].replace("_", " ").capitalize(), "description": _help(setting), "update": update}
     if choices:
-        return bpy.props.EnumProperty(items=[(c, c.replace("_", " ").capitalize(), "") for c in choices], default=default, **words)
+        items = [(choice, choice.replace("_", " ").capitalize(), "") for choice in choices]
+        return bpy.props.EnumProperty(items=items, default=default, **words)
     if isinstance(default, bool):
         return bpy.props.BoolProperty(default=default, **words)
     if isinstance(default, list):
