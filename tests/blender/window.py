@@ -21,7 +21,7 @@ import still_life  # noqa: E402
 ZIP, FOLDER, *PICTURE = sys.argv[sys.argv.index("--") + 1:]
 PICTURE, SIZE = PICTURE[:1], PICTURE[1:]
 SCENE = (still_life, *map(int, SIZE or (960, 540, 128))) if PICTURE else (small_scene, 96, 54, 8)
-PATIENCE = 600  # seconds
+PATIENCE = 1200 if PICTURE else 120  # seconds
 TAB = (1309, 291)  # of the sidebar, in a window of 1600 x 900
 
 
