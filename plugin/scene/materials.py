@@ -52,9 +52,11 @@ def worn(scene):
         return [override]
     found = {}
     for thing in _rendered(scene.objects, set()):
-        for slot in thing.material_slots:
-            if slot.material:
-                found[slot.material.name_full] = slot.material
+        own = [slot.material for slot in thing.material_slots]
+        for modifier in thing.modifiers:
+            if modifier.type == "NODES" and modifier.node_group:
+                own += _set_by_nodes(modifier.node_group, set())
+        found.update((material.name_full, material) for material in own if material)
     return [found[name] for name in sorted(found)]
 
 
@@ -66,6 +68,17 @@ def _rendered(objects, seen):
         yield thing
         if thing.instance_type == "COLLECTION" and thing.instance_collection:
             yield from _rendered(thing.instance_collection.all_objects, seen)
+
+
+def _set_by_nodes(tree, seen):
+    """Materials that geometry nodes give."""
+    seen.add(tree)
+    for node in tree.nodes:
+        for socket in node.inputs:
+            if socket.type == "MATERIAL" and socket.default_value:
+                yield socket.default_value
+        if node.type == "GROUP" and node.node_tree and node.node_tree not in seen:
+            yield from _set_by_nodes(node.node_tree, seen)
 
 
 def _rule(material, view_layer):

@@ -16,6 +16,9 @@ from . import links, touched
 
 
 
+_NOT_COPIED = {"engine", "denoiser", "preview_denoiser"}  # the first is set; the others are no values where Blender cannot denoise
+
+
 class Cancelled(Exception):
     """The progress callback returned False."""
 
@@ -61,9 +64,8 @@ def _copy_settings(scene, twin):
 
 def _copy_values(source, target):
     for prop in source.bl_rna.properties:
-        if not prop.is_readonly and prop.type in ("BOOLEAN", "INT", "FLOAT", "ENUM") and prop.identifier != "engine":
-            with contextlib.suppress(TypeError, AttributeError):  # enums of what this Blender was built without
-                setattr(target, prop.identifier, getattr(source, prop.identifier))
+        if not prop.is_readonly and prop.type in ("BOOLEAN", "INT", "FLOAT", "ENUM") and prop.identifier not in _NOT_COPIED:
+            setattr(target, prop.identifier, getattr(source, prop.identifier))
 
 
 def _copy_layers(source, target):

@@ -153,6 +153,7 @@ def room():
     glow.inputs["Strength"].default_value = 6
     shine.node_tree.links.new(glow.outputs[0], shine.node_tree.nodes["Material Output"].inputs["Surface"])
     bpy.ops.mesh.primitive_plane_add(size=1.5, location=(0, 0, 2.98), rotation=(math.pi, 0, 0))
+    bpy.context.object.name = "panel"
     bpy.context.object.data.materials.append(shine)
     bpy.ops.mesh.primitive_cube_add(size=1, location=(0, 0, -5))  # wholly behind the mirror: it must not stand before it
     bpy.context.view_layer.update()
