@@ -26,7 +26,8 @@ def glowing_faces(scene):
         corners = _face(thing.evaluated_get(graph)) if shine else None
         if corners:
             radiance, two_sided = shine
-            lights[thing.name] = {"type": "area", "corners": [list(corner) for corner in corners], "radiance": radiance, "two_sided": two_sided}
+            shape = {"type": "area", "corners": [list(corner) for corner in corners], "blocks": True}
+            lights[thing.name] = {**shape, "radiance": radiance, "two_sided": two_sided}
     return lights
 
 
