@@ -29,7 +29,7 @@ def read_materials(scene):
     Wardrobe
         Numbers that textures drive are marked per_pixel; they are there in frames rendered after `passes.prepare`.
     """
-    view_layer = scene.view_layers[0]
+    view_layer = rendered_layer(scene)
     wardrobe = Wardrobe({}, [], [])
     for material in worn(scene):
         plan = layers.plan(material)
@@ -45,9 +45,14 @@ def read_materials(scene):
     return wardrobe
 
 
+def rendered_layer(scene):
+    """The view layer that burnish reads: the first that renders."""
+    return next((layer for layer in scene.view_layers if layer.use), scene.view_layers[0])
+
+
 def worn(scene):
     """Materials of the objects that render, by name; instances and overrides included."""
-    override = scene.view_layers[0].material_override
+    override = rendered_layer(scene).material_override
     if override:
         return [override]
     found = {}

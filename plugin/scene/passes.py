@@ -38,13 +38,28 @@ def prepare(scene, view_layer):
         done.append("denoising off: this Blender was built without OpenImageDenoise")
     for material in materials.worn(scene):
         plan = layers.plan(material)
+        wired = _without(_own_aovs(material), plan.layers) if material.library is None else {}
         for kind in plan.layers:
             name = layers.NAMES[kind]
             if touched.add_aov(view_layer, name, layers.TYPES[name]):
                 done.append(f"AOV {name}")
-        if material.library is None and _wire(material, plan.layers):
-            done.append(f"{material.name}: " + ", ".join(layers.NAMES[kind] for kind in plan.layers))
+        if material.library is None and _wire(material, wired):
+            done.append(f"{material.name}: " + ", ".join(layers.NAMES[kind] for kind in wired))
     return done
+
+
+def _own_aovs(material):
+    """Names of AOVs that the user wired: they stay."""
+    tree = material.node_tree
+    return {_aov_name(node) for node in (tree.nodes if tree else ()) if node.type == "OUTPUT_AOV" and touched.MARK not in node}
+
+
+def _without(names, wanted):
+    return {kind: value for kind, value in wanted.items() if layers.NAMES[kind] not in names}
+
+
+def _aov_name(node):
+    return getattr(node, "aov_name", node.name)  # 3.4 selects the AOV by the node's name
 
 
 def has_denoiser():

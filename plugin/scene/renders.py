@@ -13,6 +13,7 @@ import os
 import bpy
 
 from . import links, touched
+from .materials import rendered_layer
 
 
 
@@ -48,7 +49,7 @@ def stage(scene, picture):
 
 
 def _copy_settings(scene, twin):
-    """All that the first view layer's light depends on."""
+    """All that the light depends on."""
     for thing in scene.collection.objects:
         twin.collection.objects.link(thing)
     for child in scene.collection.children:
@@ -58,8 +59,8 @@ def _copy_settings(scene, twin):
     for part in ("render", "cycles", "cycles_curves"):
         _copy_values(getattr(scene, part), getattr(twin, part))
     twin.frame_float = scene.frame_float
-    twin.view_layers[0].material_override = scene.view_layers[0].material_override
-    _copy_layers(scene.view_layers[0].layer_collection, twin.view_layers[0].layer_collection)
+    twin.view_layers[0].material_override = rendered_layer(scene).material_override
+    _copy_layers(rendered_layer(scene).layer_collection, twin.view_layers[0].layer_collection)
 
 
 def _copy_values(source, target):

@@ -52,6 +52,7 @@ assert camera.read_camera(scene) == {} and any("no camera" in problem.text for p
 scene.camera = camera_object
 
 # Worlds that need no picture, and plain colour.
+world._BAKED_WIDTH = 64
 tree = scene.world.node_tree
 tree.nodes["Background"].inputs["Strength"].default_value = 0
 assert world.read_world(scene, OUT).settings == {} and "black" in world.read_world(scene, OUT).notes[0]
