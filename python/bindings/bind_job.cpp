@@ -32,7 +32,7 @@ py::dict composite_frame(const py::object& arrays, const py::object& fine_arrays
     Look look;
     FrameResult result = python_progress.run([&](const Progress& progress) {
         Rig rig = timed(seconds, "light", [&] { return given.load_rig(); });
-        look = prepare_look(given.job, given.wardrobe, std::move(rig));
+        look = prepare_look(given.job, given.wardrobe, std::move(rig), {given.sample_count()});
         return run_frame(given.job, given.picture(), given.samples(), look, given.masked(), progress);
     });
     return given.to_python(std::move(result), look, seconds);

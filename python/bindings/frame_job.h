@@ -21,6 +21,7 @@ struct FrameJob {
 
     const AovFrame& picture() const { return *frame; }
     const AovFrame* samples() const { return fine.get(); }
+    size_t sample_count() const { return (fine ? *fine : *frame).pixel_count(); }
     const Assignment* masked() const { return assignment ? &*assignment : nullptr; }
 
     Rig load_rig() const;

@@ -36,7 +36,7 @@ Look look_of_nothing(const std::shared_ptr<const Environment>& light) {
     for (const AssignRule& rule : job.assign) job.materials[rule.material] = {rule.material, Color3f(0, 0, 0), {}};
     Wardrobe wardrobe = prepare_wardrobe(job);
     Rig rig = build_rig(job, wardrobe.rules, ColorFlow(job), light, {});
-    return prepare_look(job, std::move(wardrobe), std::move(rig));
+    return prepare_look(job, std::move(wardrobe), std::move(rig), {});
 }
 
 /// Nanoseconds a pixel, and page faults a frame.

@@ -44,6 +44,7 @@ struct AovFrame {
 
     /// What messages call the frame: its file, or "frame" for one made of arrays.
     std::string label() const { return file.empty() ? "frame" : file; }
+    size_t pixel_count() const { return static_cast<size_t>(data_window.width) * static_cast<size_t>(data_window.height); }
     bool has(Role role) const { return layers.count(role) != 0; }
     /// The layer that fills `role`, or null.
     const Image* find(Role role) const {

@@ -70,17 +70,26 @@ Wardrobe prepare_wardrobe(const Job& job) {
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
         wardrobe.kd.emplace_back(material);
-        if (checked.insert(rule.material).second) warn_of_energy(rule.material, material, wardrobe.warnings);
+        if (checked.insert(rule.material).second) {
+            warn_of_energy(rule.material, material, wardrobe.warnings);
+            for (const std::string& note : material.notes)
+                wardrobe.warnings.push_back("material '" + rule.material + "': " + note);
+        }
         if (job.composite.mode == CompositeMode::difference)
             wardrobe.old_materials.push_back(resolve(job, old_name(job, rule.material)));
     }
     return wardrobe;
 }
 
-Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, int frames) {
-    Look look{std::move(wardrobe), std::move(rig), {job.estimator, job.density, {}}, frames, {}, {}};
+Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, const Workload& work) {
+    Look look{std::move(wardrobe), std::move(rig), {job.estimator, job.density, {}}, work.frames, {}, {}};
     look.ready = std::make_shared<ReadyMaterials>();
-    if (job.target.is_set()) look.plan = std::make_shared<LookPlan>(job.target);
+    if (job.target.is_set()) {
+        look.plan = std::make_shared<LookPlan>(job.target);
+        return look;
+    }
+    const bool is_near = look.rig.lights.size() > (look.rig.has_environment() ? 1 : 0);
+    look.shading.density.density = settled_density(job.density.density, job.estimator, work.pixels, is_near);
     return look;
 }
 

@@ -36,7 +36,7 @@ struct ShadingSettings {
     DensitySettings density;
     std::optional<LobeChoice> lobes;  // none: all
 
-    bool is_sparse() const { return burnish::is_sparse(density.density, estimator.kind); }
+    bool is_sparse() const { return density.density == ShadingDensity::sparse; }
 };
 
 class ReadyMaterials;
@@ -46,13 +46,19 @@ class LookPlan;
 struct Look {
     Wardrobe wardrobe;
     Rig rig;
-    ShadingSettings shading;                // of the job
+    ShadingSettings shading;                // of the job; where it has no target, the density is settled
     int frames = 1;                         // that will use it, about: what is made once is worth more
     std::shared_ptr<ReadyMaterials> ready;  // tables of materials
     std::shared_ptr<LookPlan> plan;         // with a target only
 };
 
-Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, int frames = 1);
+/// How much there is to shade: samples of a whole frame, and frames, about.
+struct Workload {
+    size_t pixels = 0;
+    int frames = 1;
+};
+
+Look prepare_look(const Job& job, Wardrobe wardrobe, Rig rig, const Workload& work);
 
 /// What shades the looks of a frame: entry i belongs to look i. Predictors: where any look is sparse.
 struct Equipment {

@@ -37,10 +37,10 @@ DensitySettings dense() {
 
 }  // namespace
 
-std::vector<Refinement::Filtered> Refinement::filtered_steps(const Job& job) {
+std::vector<Refinement::Filtered> Refinement::filtered_steps(const Job& job, const DensitySettings& density) {
     EstimatorSettings own = job.estimator;
     if (own.kind == EstimatorKind::reference) own = {};
-    std::vector<Filtered> steps{{"first look", few_lookups(), dense()}, {"as set", own, job.density}};
+    std::vector<Filtered> steps{{"first look", few_lookups(), dense()}, {"as set", own, density}};
     if (lookup_count(own) < kDenseLookups) steps.push_back({"dense, " + lookups_text(kDenseLookups), many_lookups(), dense()});
     return steps;
 }
@@ -48,9 +48,9 @@ std::vector<Refinement::Filtered> Refinement::filtered_steps(const Job& job) {
 Refinement::Refinement(const Job& job, const AovFrame& frame, const AovFrame* fine, Wardrobe wardrobe, Rig rig,
                        const Assignment* assignment)
     : m_job(job),
-      m_look(prepare_look(job, std::move(wardrobe), std::move(rig))),
+      m_look(prepare_look(job, std::move(wardrobe), std::move(rig), {(fine ? *fine : frame).pixel_count()})),
       m_lit(m_job, frame, fine, m_look.wardrobe, m_look.rig, assignment),
-      m_filtered_steps(filtered_steps(job)) {
+      m_filtered_steps(filtered_steps(job, m_look.shading.density)) {
     if (job.target.is_set())
         throw Error(ErrorCode::bad_argument,
                     "progressive: refines down to the exact picture and takes no target; leave out psnr, max_error and time");

@@ -53,7 +53,7 @@ private:
         std::optional<ReferenceRun> old;
     };
 
-    static std::vector<Filtered> filtered_steps(const Job& job);
+    static std::vector<Filtered> filtered_steps(const Job& job, const DensitySettings& density);
     bool is_difference() const { return !m_look.wardrobe.old_materials.empty(); }
     /// With every look shaded so.
     Equipment equipped(const EstimatorSettings& estimator, const DensitySettings& density) const;

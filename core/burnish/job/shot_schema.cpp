@@ -21,9 +21,16 @@ json triple() { return {{"type", "array"}, {"items", {{"type", "number"}}}, {"mi
 json chain_schema() { return {{"anyOf", {{{"type", "string"}}, {{"type", "array"}, {"items", {{"type", "string"}}}}}}}; }
 
 json rule_schema() {
+    const auto says = [](json schema, const char* words) {
+        schema["description"] = words;
+        return schema;
+    };
     const json id = {{"type", "integer"}, {"minimum", 0}}, text = {{"type", "string"}};
-    const json fields = {
-        {"material", text}, {"index", id}, {"material_index", id}, {"cryptomatte", text}, {"light", chain_schema()}};
+    const json fields = {{"material", says(text, "name of a material, as of the setting material")},
+                         {"index", says(id, "object id of the pixels")},
+                         {"material_index", says(id, "material id of the pixels")},
+                         {"cryptomatte", says(text, "name in a cryptomatte, with wildcards * and ?")},
+                         {"light", says(chain_schema(), "the lights they see, the one in front first")}};
     const json object = {
         {"type", "object"}, {"properties", fields}, {"required", {"material"}}, {"additionalProperties", false}};
     return {{"type", "array"}, {"items", {{"anyOf", {text, object}}}}};

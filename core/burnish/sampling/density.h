@@ -3,10 +3,12 @@
 
 #include <burnish/sampling/estimator.h>
 
+#include <cstddef>
+
 namespace burnish {
 
-/// `dense`: every pixel; `sparse`: as many as the predicted bandwidth asks for, the others are interpolated; `automatic`: sparse,
-/// but for `reference`, which others are compared with.
+/// `dense`: every pixel; `sparse`: as many as the predicted bandwidth asks for, the others are interpolated; `automatic`: sparse
+/// where that pays (settled_density), and dense for `reference`, which others are compared with.
 enum class ShadingDensity { automatic, dense, sparse };
 
 /// Where the angular bandwidth of the overlay comes from. `curvature`: second derivative of the light once the lobe has filtered it;
@@ -22,8 +24,19 @@ struct DensitySettings {
                           // within 52, so that it flickers no more than dense
 };
 
-inline bool is_sparse(ShadingDensity density, EstimatorKind estimator) {
+/// Whether some frame might be shaded sparsely.
+inline bool may_be_sparse(ShadingDensity density, EstimatorKind estimator) {
     return density == ShadingDensity::automatic ? estimator != EstimatorKind::reference : density == ShadingDensity::sparse;
+}
+
+/// What `automatic` comes to. Prediction has tables of its own to make, as dear as shading some million cheap pixels, and gains half of
+/// the pixels: it pays for large frames, for many lookups a pixel, and under lights that are near. `pixels`: samples of the whole frame.
+inline ShadingDensity settled_density(ShadingDensity density, const EstimatorSettings& estimator, size_t pixels, bool is_near) {
+    constexpr size_t kManyPixels = 2'000'000;
+    constexpr int kManyLookups = 32;
+    if (density != ShadingDensity::automatic) return density;
+    const bool pays = pixels >= kManyPixels || lookup_count(estimator) >= kManyLookups || is_near;
+    return pays && may_be_sparse(density, estimator.kind) ? ShadingDensity::sparse : ShadingDensity::dense;
 }
 
 }  // namespace burnish

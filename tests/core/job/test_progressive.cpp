@@ -39,7 +39,7 @@ protected:
         Job reference = job;
         reference.estimator.kind = EstimatorKind::reference;
         reference.estimator.tolerance = 0.003f, reference.estimator.max_samples = 8192;
-        const Look look = prepare_look(reference, wardrobe(), rig());
+        const Look look = prepare_look(reference, wardrobe(), rig(), {});
         return run_frame(reference, frame, nullptr, look, nullptr, Progress()).composite.overlay;
     }
 
@@ -74,7 +74,7 @@ TEST_F(Progressive, EveryStepIsNearerAndTheLastIsTheReference) {
     }
     EXPECT_LT(before, job.estimator.tolerance);
     job.estimator.kind = EstimatorKind::reference, job.estimator.max_samples = 512;
-    const Look look = prepare_look(job, wardrobe(), rig());
+    const Look look = prepare_look(job, wardrobe(), rig(), {});
     const Image noisy = run_frame(job, frame, nullptr, look, nullptr, Progress()).composite.overlay;
     EXPECT_LT(relative_rms(steps[3].result.composite.overlay, truth), relative_rms(noisy, truth)) << "as many lookups, unmixed";
 }
@@ -114,7 +114,7 @@ TEST_F(Progressive, SamplesOfFinerSurfacesAreRefinedToo) {
     const AovFrame fine = std::exchange(frame, scenes::sphere_frame(kSize / 2));
     frame.layers = {{Role::beauty, Image(kSize / 2, kSize / 2, 3, 0.25f)}};
     Refinement steps(job, frame, &fine, wardrobe(), rig(), nullptr);
-    const Look look = prepare_look(job, wardrobe(), rig());
+    const Look look = prepare_look(job, wardrobe(), rig(), {});
     const FrameResult plain = run_frame(job, frame, &fine, look, nullptr, Progress());
     steps.next(Progress());
     EXPECT_EQ(steps.next(Progress()).result.composite.beauty.data, plain.composite.beauty.data) << "the step as set";

@@ -55,7 +55,7 @@ TEST_F(Run, WritesThePixelsThatMemoryGives) {
     Wardrobe wardrobe = prepare_wardrobe(job);
     const auto light = light_from_picture(job, color, sky, Renderer::unknown);
     Rig rig = build_rig(job, wardrobe.rules, color, light, {});
-    const Look look = prepare_look(job, std::move(wardrobe), std::move(rig));
+    const Look look = prepare_look(job, std::move(wardrobe), std::move(rig), {});
     const FrameResult result = run_frame(job, frame, nullptr, look, nullptr, Progress());
     EXPECT_EQ(written("burnish_spec").data, result.composite.overlay.data);
     EXPECT_GT(report.frames[0].lookups, 0);
