@@ -39,7 +39,8 @@ def read_materials(scene):
         wardrobe.materials[material.name] = {"lobes": [_lobe_json(lobe, kinds) for lobe, kinds in plan.lobes]}
         rule = _rule(material, view_layer)
         if rule is None:
-            wardrobe.notes.append(f"{material.name}: neither a cryptomatte of materials nor a pass index tells its pixels; prepare the scene")
+            wardrobe.notes.append(f"{material.name}: neither a cryptomatte of materials nor a pass index tells its pixels; "
+                                  "prepare the scene")
         else:
             wardrobe.assign.append({"material": material.name, **rule})
     return wardrobe

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from . import layers, materials, touched, values
 
-PASSES = {"position": "Position", "normal": "Normal", "z": "Z", "diffuse_direct": "Diffuse Direct", "diffuse_indirect": "Diffuse Indirect",
-          "diffuse_color": "Diffuse Color", "glossy_direct": "Glossy Direct", "glossy_indirect": "Glossy Indirect", "glossy_color": "Glossy Color",
-          "transmission_direct": "Transmission Direct", "transmission_indirect": "Transmission Indirect",
+PASSES = {"position": "Position", "normal": "Normal", "z": "Z", "diffuse_direct": "Diffuse Direct",
+          "diffuse_indirect": "Diffuse Indirect", "diffuse_color": "Diffuse Color", "glossy_direct": "Glossy Direct",
+          "glossy_indirect": "Glossy Indirect", "glossy_color": "Glossy Color", "transmission_direct": "Transmission Direct", "transmission_indirect": "Transmission Indirect",
           "transmission_color": "Transmission Color", "object_index": "Object Index", "material_index": "Material Index",
           "cryptomatte_object": "Cryptomatte Object", "cryptomatte_material": "Cryptomatte Material"}
 

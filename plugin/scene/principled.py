@@ -65,9 +65,9 @@ def lobes(shader, weight, notes):
     if not values.is_known(through) or through > 0:
         found.append(_reflecting_glass(shader, visible.times(through), notes))
     coat = (_coat if new else _clearcoat)(shader, visible, notes)
-    if coat and links.source(shader.input("Clearcoat Normal", "Coat Normal")) != links.source(shader.input("Normal")):
-        notes.append(f"{shader.node.name}, {shader.input('Clearcoat Normal', 'Coat Normal').socket.name}: coat and base are shaded with the Normal "
-                     "pass, the mean of their normals")
+    normal = shader.input("Clearcoat Normal", "Coat Normal")
+    if coat and links.source(normal) != links.source(shader.input("Normal")):
+        notes.append(f"{shader.node.name}, {normal.socket.name}: coat and base are shaded with the mean of their normals, the Normal pass")
     return found + coat
 
 

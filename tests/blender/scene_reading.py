@@ -8,7 +8,7 @@ from addon import OUT, add, ball, empty_scene, material
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
-from burnish_addon.scene import camera, checks, lamps, mirrors, passes, world
+from burnish_addon.scene import camera, checks, lamps, mirrors, passes, world, world_picture
 
 scene = empty_scene(160, 90)
 
@@ -52,7 +52,7 @@ assert camera.read_camera(scene) == {} and any("no camera" in problem.text for p
 scene.camera = camera_object
 
 # Worlds that need no picture, and plain colour.
-world._BAKED_WIDTH = 64
+world_picture.BAKED_WIDTH = 64
 tree = scene.world.node_tree
 tree.nodes["Background"].inputs["Strength"].default_value = 0
 assert world.read_world(scene, OUT).settings == {} and "black" in world.read_world(scene, OUT).notes[0]

@@ -83,7 +83,8 @@ def test_lamps_shine_as_in_cycles(shots, name):
 
 
 def test_baked_lights_show_the_room(shots):
-    """Measured: a polished floor by its mirror, 31 dB at 64 noisy samples; a ball by its cube map, which cannot know what the floor reflects elsewhere, 20 dB."""
+    """Measured: a polished floor by its mirror, 31 dB at 64 noisy samples; a ball by its cube map, 20 dB: it cannot know what the
+    floor reflects elsewhere."""
     assert set(shots["room"]["shot"]["lights"]) == {"mirror", "cube", "panel"}
     measured = psnr_of(shots["room"])
     for name, least, off in (("floor", 29, 0.03), ("ball", 18, 0.12)):
