@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of the scene for burnish's lights, rendered in a copy of it: the user's own settings are never touched.
+"""Pictures of the scene for burnish's lights, rendered in another scene of the same things: the user's own settings are never touched.
 
 They show what reflections see: objects that glossy rays meet, materials as Light Path nodes make them for glossy rays.
 """
@@ -14,8 +14,6 @@ import bpy
 
 from . import links, touched
 from .materials import rendered_layer
-
-
 
 _NOT_COPIED = {"engine", "denoiser", "preview_denoiser"}  # the first is set; the others are no values where Blender cannot denoise
 
@@ -56,7 +54,7 @@ def _copy_settings(scene, twin):
         twin.collection.children.link(child)
     twin.world = scene.world
     twin.render.engine = "CYCLES"
-    for part in ("render", "cycles", "cycles_curves"):
+    for part in ("render", "cycles"):
         _copy_values(getattr(scene, part), getattr(twin, part))
     twin.frame_float = scene.frame_float
     twin.view_layers[0].material_override = rendered_layer(scene).material_override
