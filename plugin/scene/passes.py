@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from . import layers, materials, touched, values
 
-PASSES = {"position": "Position", "normal": "Normal", "z": "Z", "diffuse_direct": "Diffuse Direct",
-          "diffuse_indirect": "Diffuse Indirect", "diffuse_color": "Diffuse Color", "glossy_direct": "Glossy Direct",
-          "glossy_indirect": "Glossy Indirect", "glossy_color": "Glossy Color", "transmission_direct": "Transmission Direct", "transmission_indirect": "Transmission Indirect",
-          "transmission_color": "Transmission Color", "object_index": "Object Index", "material_index": "Material Index",
-          "cryptomatte_object": "Cryptomatte Object", "cryptomatte_material": "Cryptomatte Material"}
+PASSES = {name: name.replace("_", " ").title() for name in (
+    "position", "normal", "z", "diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct", "glossy_indirect", "glossy_color",
+    "transmission_direct", "transmission_indirect", "transmission_color", "object_index", "material_index", "cryptomatte_object",
+    "cryptomatte_material")}  # as view layers name them, and as people do
 
 
 def missing(view_layer):
