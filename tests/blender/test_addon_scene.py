@@ -57,6 +57,13 @@ def test_shaders_become_lobes(tmp_path):
     run("scene_materials.py", tmp_path)
 
 
+def test_no_node_tree_is_too_odd(tmp_path):
+    run("scene_any_nodes.py", tmp_path)
+    made = json.loads((tmp_path / "materials.json").read_text())
+    burnish.composite(scenes.sphere(8, 6), np.ones((8, 16, 3)), made, assign=[{"material": next(iter(made)), "object_index": 1}],
+                      camera=scenes.CAMERA)  # reads all of them
+
+
 def test_camera_world_lamps_and_mirrors_are_read(tmp_path):
     run("scene_reading.py", tmp_path)
 
