@@ -60,7 +60,7 @@ def test_shaders_become_lobes(tmp_path):
 def test_no_node_tree_is_too_odd(tmp_path):
     run("scene_any_nodes.py", tmp_path)
     made = json.loads((tmp_path / "materials.json").read_text())
-    burnish.composite(scenes.sphere(8, 6), np.ones((8, 16, 3)), made, assign=[{"material": next(iter(made)), "object_index": 1}],
+    burnish.composite(scenes.sphere(8, 6), np.ones((8, 16, 3)), made, assign=[{"material": next(iter(made)), "index": 1}],
                       camera=scenes.CAMERA)  # reads all of them
 
 
