@@ -19,10 +19,10 @@ def rays(width, height):
     return d
 
 
-def sphere(width=64, height=48, radius=1.0):
-    """Role name -> array: a unit sphere at the origin before black, beauty grey 0.2 with alpha."""
+def sphere(width=64, height=48, radius=1.0, camera=CAMERA):
+    """Role name -> array: a sphere at the origin before black, beauty grey 0.2 with alpha."""
     d = rays(width, height)
-    eye = np.asarray(CAMERA)
+    eye = np.asarray(camera)
     a, b, c = (d * d).sum(-1), 2 * d @ eye, eye @ eye - radius**2
     disc = b * b - 4 * a * c
     hit = disc > 0
@@ -70,34 +70,57 @@ CHANNELS = {
 
 def write_frame(path, frame, attributes=None):
     """Write a frame as one EXR, 32-bit float, with the channel names above. Returns the path."""
+    return write_exr(path, *channels_of(frame), attributes)
+
+
+def channels_of(frame):
+    """(names, pixels) of a frame's layers, one behind the other."""
     names, planes = [], []
     for role, array in frame.items():
         array = array[..., None] if array.ndim == 2 else array
         names += CHANNELS[role][: array.shape[2]]
         planes.append(array)
-    return write_exr(path, names, np.concatenate(planes, -1), attributes)
+    return names, np.concatenate(planes, -1)
 
 
 def write_exr(path, names, pixels, attributes=None):
     """Write channels in the order given; `attributes` name -> value or (type, value)."""
+    return write_parts(path, [part_of(names, pixels, attributes)])
+
+
+def part_of(names, pixels, attributes=None, kind=oiio.FLOAT, origin=(0, 0), display=None):
+    """(spec, pixels) of a part; `origin`: of its data window; `display`: size of the window from 0, 0, else the part's own."""
     pixels = np.ascontiguousarray(pixels, np.float32)
-    spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], oiio.FLOAT)
+    spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], kind)
     spec.channelnames = tuple(names)
+    spec.x, spec.y = origin
+    if display:
+        spec.full_width, spec.full_height = display
     for name, value in (attributes or {}).items():
         spec.attribute(name, *value) if isinstance(value, tuple) else spec.attribute(name, value)
+    return spec, pixels
+
+
+def write_parts(path, parts):
+    """Write an EXR of one or more parts, which need names ("oiio:subimagename") when there are several."""
     output = oiio.ImageOutput.create(str(path))
-    assert output.open(str(path), spec), output.geterror()
-    assert output.write_image(pixels), output.geterror()
+    specs = tuple(spec for spec, _ in parts)
+    assert output.open(str(path), specs if len(specs) > 1 else specs[0]), output.geterror()
+    for i, (spec, pixels) in enumerate(parts):
+        assert i == 0 or output.open(str(path), spec, "AppendSubimage"), output.geterror()
+        assert output.write_image(pixels), output.geterror()
     output.close()
     return path
 
 
-def read_exr(path):
-    """Channel name -> (height, width) array of the first part."""
-    buffer = oiio.ImageBuf(str(path))
-    pixels = buffer.get_pixels(oiio.FLOAT)
-    assert not buffer.has_error, buffer.geterror()
-    return {name: pixels[..., i] for i, name in enumerate(buffer.spec().channelnames)}
+def read_exr(path, part=0):
+    """Channel name -> (height, width) array of a part."""
+    source = oiio.ImageInput.open(str(path))  # an ImageBuf would show what a file held a moment ago
+    assert source and source.seek_subimage(part, 0), oiio.geterror()
+    names = source.spec().channelnames
+    pixels = source.read_image(part, 0, 0, len(names), oiio.FLOAT)
+    assert pixels is not None, source.geterror()
+    return {name: pixels[..., i] for i, name in enumerate(names)}
 
 
 def stacked(layers, *names):

@@ -290,6 +290,16 @@ def test_a_measurement_with_every_value_alike(composite, work):
     assert composite(material="same.gonio").code == 0
 
 
+@pytest.mark.parametrize("name, content, code, part", [
+    ("a.glb", b"glTF\2\0\0\0" + b"\xff" * 12, "E_READ_FAILED", "cut short"),
+    ("a.gltf", b'{"asset": {"version": "2.0"}, "materials": [{"extensions": 7}]}', "E_BAD_ARGUMENT", "materials[0].extensions"),
+    ("a.mtlx", b"<materialx>" * 50000, "E_READ_FAILED", "XML"),
+], ids=["glb", "gltf", "mtlx"])
+def test_materials_of_other_programs_that_are_none(composite, work, name, content, code, part):
+    (work / name).write_bytes(content)
+    expect(composite(material=name), 1 if code == "E_READ_FAILED" else 2, code, name, part)
+
+
 def test_a_material_without_its_table(composite, work):
     (work / "m.json").write_text(json.dumps({"model": "table", "table": "absent.binary"}))
     expect(composite(material="m.json"), 1, "E_READ_FAILED", "absent.binary")

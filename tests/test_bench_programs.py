@@ -23,7 +23,7 @@ import source_rates  # noqa: E402
 from source_setups import LOOKS, MICROFACETS, RATES  # noqa: E402
 
 
-@pytest.mark.parametrize("program", ["rivals.py", "source_figures.py"])
+@pytest.mark.parametrize("program", ["rivals.py", "source_figures.py", "farm.py"])
 def test_a_program_explains_itself(program):
     text = subprocess.run([sys.executable, BENCH / program, "--help"], capture_output=True, text=True, check=True).stdout
     assert f"tests/bench/{program}" in text

@@ -12,9 +12,10 @@ import scenes
 from burnish import _core, errors
 from conftest import SOURCE
 
-FUNCTIONS = [getattr(burnish, name) for name in burnish.__all__ if inspect.isroutine(getattr(burnish, name))]
-METHODS = [method for owner in (burnish.Lobe, burnish.Environment) for name, method in vars(owner).items()
-           if not name.startswith("_") and callable(method)]
+FUNCTIONS = [getattr(module, name) for module in (burnish, burnish.sequence) for name in module.__all__
+             if inspect.isroutine(getattr(module, name))]
+CLASSES = (burnish.Lobe, burnish.Environment, burnish.Shot, burnish.sequence.SequenceReport)
+METHODS = [method for owner in CLASSES for name, method in vars(owner).items() if not name.startswith("_") and callable(method)]
 
 
 @pytest.mark.parametrize("function", FUNCTIONS + METHODS, ids=lambda f: getattr(f, "__qualname__", f.__name__))
@@ -24,6 +25,7 @@ def test_every_public_name_is_documented(function):
         assert section in text, f"{function.__name__} lacks {section}"
     returned = text.split("Returns\n")[1].split("Raises\n")[0]
     assert "shape" in returned or "dict" in returned or "list" in returned
+    assert getattr(function, "__annotations__", True), f"{function.__name__} has no types"
     if function in FUNCTIONS:
         for name in inspect.signature(function).parameters:
             assert re.search(rf"^\s*(\*\*)?(\w+, )*{name}(, \w+)* ?(:|$)", text, re.MULTILINE), f"{function.__name__}: {name}"
@@ -59,6 +61,14 @@ def test_the_stubs_have_the_modules_parameters():
             inside = signature[signature.index("(") + 1 : signature.rindex(") ->")]
             found = [name for name in re.findall(r"(\w+): ", inside) if name != "self"]
             assert found == names, f"{item.name}: {found} in the module, {names} in the stub"
+
+
+@pytest.mark.parametrize("owner", [burnish.Shot, burnish.sequence.SequenceReport, burnish.sequence.FrameOutcome, burnish.Frames],
+                         ids=lambda owner: owner.__name__)
+def test_every_public_class_tells_what_it_holds(owner):
+    text = inspect.getdoc(owner)
+    for name in inspect.signature(owner).parameters:
+        assert re.search(rf"^(\*\*)?(\w+, )*{name}(, \w+)* ?(:|$)", text, re.MULTILINE), f"{owner.__name__}: {name}"
 
 
 def test_arrays_of_any_kind_are_taken():

@@ -3,6 +3,7 @@
 
 #include <burnish/base/json_fields.h>
 #include <burnish/material/describe.h>
+#include <burnish/material/import/import_material.h>
 #include <burnish/material/library.h>
 #include <burnish/material/measured_library.h>
 #include <burnish/material/model.h>
@@ -43,15 +44,34 @@ void print_json() {
     std::printf("%s\n", list.dump(2).c_str());
 }
 
+/// Each with what was left out of it.
+void print_materials(const std::string& file, bool machine) {
+    const json list = materials_json(file);
+    if (machine) std::printf("%s\n", list.dump(2).c_str());
+    for (const json& entry : machine ? json::array() : list) {
+        std::printf("%s#%s\n  %s\n", file.c_str(), entry["name"].get<std::string>().c_str(), entry["material"].dump().c_str());
+        for (const json& note : entry["notes"]) std::printf("  note: %s\n", note.get<std::string>().c_str());
+    }
+}
+
 }  // namespace
 
 Run add_models(CLI::App& app) {
+    struct Options {
+        std::string file;
+        bool as_json = false;
+    };
     auto* command =
-        app.add_subcommand("models", "Lists reflectance models, their parameters, material presets and the measured materials");
-    auto machine = std::make_shared<bool>(false);
-    command->add_flag("--json", *machine, "print as JSON");
-    return [machine] {
-        if (*machine)
+        app.add_subcommand("models",
+                           "Lists reflectance models, their parameters, material presets and the measured materials; or the "
+                           "materials of a file");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "glTF (.gltf, .glb) or MaterialX (.mtlx): the materials in it");
+    command->add_flag("--json", options->as_json, "print as JSON");
+    return [options] {
+        if (!options->file.empty())
+            print_materials(options->file, options->as_json);
+        else if (options->as_json)
             print_json();
         else
             std::printf("%s", describe_models().c_str());

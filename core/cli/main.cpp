@@ -16,7 +16,7 @@ using namespace burnish;
 
 constexpr int kFailure = 1, kUsage = 2;
 constexpr const char* kFooter =
-    "burnish chart and burnish fit-plots, written in Python, draw pictures: see burnish chart --help.\n"
+    "Written in Python: burnish sequence runs frames over processes or a farm, burnish chart and burnish fit-plots draw pictures.\n"
     "Any other word runs burnish-<word>, found beside burnish or on the PATH.\n"
     "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 some frames were skipped or failed, 130 stopped by Ctrl-C.";
 

@@ -7,7 +7,7 @@ shaders     a material's nodes as specular lobes      principled  the Principled
 layers      the lobes' numbers as AOVs of the frame
 passes      prepare: passes, ids and AOVs switched on  touched     what that changed, and back again
 checks      what would spoil the result
-materials   world   lamps   camera                     parts of a shot file
+materials   world (world_picture)   lamps (glowing: of mesh)   camera   parts of a shot file
 mirrors     flat glossy surfaces                       bake        cube maps and mirrors rendered for them
 borrowed    settings changed for the time of a render  renders     that render
 fingerprint whether a picture still shows what it was made of

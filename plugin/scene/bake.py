@@ -2,8 +2,8 @@
 """Light near the objects, rendered by Cycles: cube maps around them and what mirrors show, as lights of a shot file.
 
 A cube map is the scene from the middle of an object's bounding box. The object itself is not seen but still throws shadows. The
-world is left out and shows through by its own map, and lamps are, which are lights of their own (lamps.py). A mirror's picture is
-the scene from the camera mirrored at its plane, lamps included, as it hides every other light. In both, other objects are seen
+world is left out and shows through by its own map, and so are lamps that are lights of their own (lamps.py). A mirror's picture
+is the scene from the camera mirrored at its plane, lamps included, as it hides every other light. In both, other objects are seen
 with their reflections, unless these are asked to be left out.
 """
 
@@ -16,7 +16,7 @@ import re
 import bpy
 from mathutils import Matrix, Vector
 
-from . import camera, renders
+from . import camera, lamps, renders
 from .borrowed import Borrowed
 
 FACES = {"px": ((1, 0, 0), (0, 0, 1)), "nx": ((-1, 0, 0), (0, 0, 1)), "py": ((0, 1, 0), (0, 0, 1)), "ny": ((0, -1, 0), (0, 0, 1)),
@@ -58,9 +58,8 @@ def bake_cube(scene, object_name, folder, size=256, samples=64, progress=None, r
     with Borrowed() as borrowed, renders.stage(scene, renders.Picture(size, size, samples, ("z",), transparent=True)) as copy:
         _show(copy, borrowed, reflections)
         borrowed.set(thing, "visible_camera", False)
-        for lamp in copy.objects:
-            if lamp.type == "LIGHT":
-                borrowed.set(lamp, "visible_camera", False)
+        for name in lamps.read_lamps(scene).lights:
+            borrowed.set(copy.objects[name], "visible_camera", False)
         data = renders.add_camera(copy, borrowed, Matrix())
         data.angle, data.sensor_fit = math.pi / 2, "HORIZONTAL"
         data.clip_start, data.clip_end = 1e-3, 1e6

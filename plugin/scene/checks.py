@@ -36,9 +36,11 @@ def _render(scene):
         yield Problem("ERROR", "The render engine is not Cycles, whose passes burnish reads; choose Cycles in the Render properties")
     if scene.cycles.use_denoising and any(layer.cycles.use_denoising for layer in scene.view_layers):
         if not passes.has_denoiser():
-            yield Problem("ERROR", "Denoising is on, but this Blender was built without OpenImageDenoise: renders fail; prepare the scene", _PREPARE)
+            yield Problem("ERROR", "Denoising is on, but this Blender was built without OpenImageDenoise: renders fail; prepare the scene",
+                          _PREPARE)
         else:
-            yield Problem("WARNING", "Denoising smooths the picture but not its passes; replacing the rendered reflections leaves their noise")
+            yield Problem("WARNING", "Denoising smooths the picture but not its passes: replacing the rendered reflections leaves their "
+                                     "noise; switch it off, or take more samples")
     if scene.cycles.sample_clamp_direct > 0 or 0 < scene.cycles.sample_clamp_indirect < 10:
         yield Problem("WARNING", "Samples are clamped: rendered highlights are darker than those burnish makes; set Clamping to 0")
 
@@ -51,7 +53,8 @@ def _camera(scene):
     if camera.data.type == "PANO":
         yield Problem("WARNING", "The camera is panoramic: no mirrors can be rendered for it")
     if camera.data.dof.use_dof:
-        yield Problem("WARNING", "Depth of field is on: reflections stay sharp where the frame is blurred; switch it off, or blur afterwards")
+        yield Problem("WARNING", "Depth of field is on: reflections stay sharp where the frame is blurred; switch it off, or blur "
+                                 "afterwards")
     if max(abs(part) for part in camera.matrix_world.translation) > _FAR_AWAY:
         yield Problem("WARNING", "The scene is far from the world's origin: positions are inexact there; move it nearer")
 
@@ -68,7 +71,8 @@ def _picture(scene):
     if scene.cycles.pixel_filter_type != "BOX" and scene.cycles.filter_width > 3:
         yield Problem("WARNING", "The pixel filter is wide: normals of neighbouring surfaces mix; take a width of 1.5")
     if render.film_transparent and scene.cycles.film_transparent_glass:
-        yield Problem("WARNING", "Glass is transparent in the film: what it reflects is added over what lies behind; switch Transparent Glass off")
+        yield Problem("WARNING", "Glass is transparent in the film: what it reflects is added over what lies behind; switch "
+                                 "Transparent Glass off")
     if render.use_border:
         yield Problem("WARNING", "Only a region of the picture is rendered" + (", and cropped" if render.use_crop_to_border else ""))
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether nodes still compute what they did when a picture was made of them: a hash of all that they depend on."""
+"""Whether nodes still compute what they did when a picture was made of them: a hash of all that they depend on.
+
+Images count by name, file and size; those of a sequence also by the frame.
+"""
 
 from __future__ import annotations
 
@@ -44,7 +47,7 @@ def _add_properties(struct, found, frame, left_out=frozenset()):
             found.append((prop.identifier, _plain(value)))
         elif isinstance(value, bpy.types.Image):
             moves = frame if value.source in ("SEQUENCE", "MOVIE") else 0
-            found.append((value.name, value.filepath, value.colorspace_settings.name, tuple(value.size), moves, value.is_dirty and id(value)))
+            found.append((value.name, value.filepath, value.colorspace_settings.name, tuple(value.size), moves))
         elif not isinstance(value, bpy.types.ID):
             _add_properties(value, found, frame)
 

@@ -15,6 +15,7 @@ import math
 from mathutils import Vector
 
 from . import links, values
+from .glowing import emission, glowing_faces
 
 _SIDES = 16  # of a polygon that stands for a disc
 _SMALLEST_SUN, _SMALLEST_RADIUS = math.radians(0.25), 1e-3
@@ -30,8 +31,8 @@ class Lamps:
 
 
 def read_lamps(scene):
-    """The lamps that glossy rays see, as lights of a shot file."""
-    lamps = Lamps({}, [])
+    """The lamps that glossy rays see, and flat pieces of mesh that shine, as lights of a shot file; named like their objects."""
+    lamps = Lamps(glowing_faces(scene), [])
     for thing in scene.objects:
         if thing.type == "LIGHT" and not thing.hide_render and thing.visible_glossy:
             emitted = _emitted(thing, lamps.notes)
@@ -43,7 +44,7 @@ def read_lamps(scene):
 def _add(lamps, scene, thing, emitted):
     lamp = thing.data
     if lamp.type == "AREA":
-        if lamp.cycles.is_portal:
+        if getattr(lamp.cycles, "is_portal", False):
             return
         if lamp.spread < math.radians(179.9):
             lamps.notes.append(f"{thing.name}: its spread of {math.degrees(lamp.spread):.0f} degrees is not followed")
@@ -69,14 +70,10 @@ def _emitted(thing, notes):
     if output is None:
         return power
     shader = links.source(links.Place(output.inputs["Surface"]))
-    if shader is None:
-        return None
-    if shader.node.type == "EMISSION":
-        factor = values.multiply(links.value(shader.input("Color")) or 0.0, links.value(shader.input("Strength")) or 0.0)
-        if values.is_known(factor):
-            return values.channels(values.multiply(power, factor))
-    notes.append(f"{thing.name}: its nodes make it uneven; it is left out")
-    return None
+    factor = emission(shader)
+    if shader and factor is None:
+        notes.append(f"{thing.name}: its nodes make it uneven; it is left out")
+    return values.multiply(power, factor) if factor else None
 
 
 def _area_corners(thing):

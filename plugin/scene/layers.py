@@ -29,6 +29,9 @@ class Plan:
 def plan(material):
     """How a material's lobes are shown to burnish."""
     lobes, notes = lobes_of(material)
+    if material.library and not all(map(_is_constant, lobes)):
+        notes.append("linked from another file, so no layers can be wired into it; plain numbers stand for its textures")
+        return Plan([(lobe, set()) for lobe in lobes], {}, notes)
     result = Plan([(lobe, set()) for lobe in lobes], {}, notes)
     for kind in ("roughness", "anisotropy", "rotation"):
         for lobe, kinds in result.lobes:
@@ -43,6 +46,10 @@ def plan(material):
     if stretched:
         result.layers["tangent"] = stretched.tangent
     return result
+
+
+def _is_constant(lobe):
+    return all(map(values.is_known, (lobe.roughness, lobe.anisotropy, lobe.rotation, lobe.scale)))
 
 
 def _take(result, lobe, kinds, value, possible):

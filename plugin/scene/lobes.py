@@ -48,8 +48,8 @@ class Lobe:
 
         L = 0.64 alpha^1.24: what white GGX loses by scattering once, by Cycles' renders of spheres.
         """
-        loss = 0.64 * values.typical(self.roughness) ** 2.48
-        return tuple(1 / (1 - channel * loss) for channel in values.channels(values.typical(colour)))
+        loss = 0.64 * min(max(values.typical(self.roughness), 0.0), 1.0) ** 2.48
+        return tuple(1 / (1 - min(channel, 1.0) * loss) for channel in values.channels(values.typical(colour)))
 
     @property
     def is_stretched(self):

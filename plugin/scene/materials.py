@@ -29,7 +29,7 @@ def read_materials(scene):
     Wardrobe
         Numbers that textures drive are marked per_pixel; they are there in frames rendered after `passes.prepare`.
     """
-    view_layer = scene.view_layers[0]
+    view_layer = rendered_layer(scene)
     wardrobe = Wardrobe({}, [], [])
     for material in worn(scene):
         plan = layers.plan(material)
@@ -39,22 +39,30 @@ def read_materials(scene):
         wardrobe.materials[material.name] = {"lobes": [_lobe_json(lobe, kinds) for lobe, kinds in plan.lobes]}
         rule = _rule(material, view_layer)
         if rule is None:
-            wardrobe.notes.append(f"{material.name}: neither a cryptomatte of materials nor a pass index tells its pixels; prepare the scene")
+            wardrobe.notes.append(f"{material.name}: neither a cryptomatte of materials nor a pass index tells its pixels; "
+                                  "prepare the scene")
         else:
             wardrobe.assign.append({"material": material.name, **rule})
     return wardrobe
 
 
+def rendered_layer(scene):
+    """The view layer that burnish reads: the first that renders."""
+    return next((layer for layer in scene.view_layers if layer.use), scene.view_layers[0])
+
+
 def worn(scene):
     """Materials of the objects that render, by name; instances and overrides included."""
-    override = scene.view_layers[0].material_override
+    override = rendered_layer(scene).material_override
     if override:
         return [override]
     found = {}
     for thing in _rendered(scene.objects, set()):
-        for slot in thing.material_slots:
-            if slot.material:
-                found[slot.material.name_full] = slot.material
+        own = [slot.material for slot in thing.material_slots]
+        for modifier in thing.modifiers:
+            if modifier.type == "NODES" and modifier.node_group:
+                own += _set_by_nodes(modifier.node_group, set())
+        found.update((material.name_full, material) for material in own if material)
     return [found[name] for name in sorted(found)]
 
 
@@ -66,6 +74,17 @@ def _rendered(objects, seen):
         yield thing
         if thing.instance_type == "COLLECTION" and thing.instance_collection:
             yield from _rendered(thing.instance_collection.all_objects, seen)
+
+
+def _set_by_nodes(tree, seen):
+    """Materials that geometry nodes give."""
+    seen.add(tree)
+    for node in tree.nodes:
+        for socket in node.inputs:
+            if socket.type == "MATERIAL" and socket.default_value:
+                yield socket.default_value
+        if node.type == "GROUP" and node.node_tree and node.node_tree not in seen:
+            yield from _set_by_nodes(node.node_tree, seen)
 
 
 def _rule(material, view_layer):

@@ -92,8 +92,8 @@ def _largest_plane(thing, is_glossy, eye):
 
 def _in_world(thing):
     """Areas, unit normals, centres and material slots of an object's faces."""
-    area, normal, centre, slot = (_all(thing.data.polygons, name, width, kind) for name, width, kind in
-                                  (("area", 1, np.float32), ("normal", 3, np.float32), ("center", 3, np.float32), ("material_index", 1, np.int32)))
+    area, normal, centre = (_all(thing.data.polygons, name, width) for name, width in (("area", 1), ("normal", 3), ("center", 3)))
+    slot = _all(thing.data.polygons, "material_index", 1, np.int32)
     matrix = np.array(thing.matrix_world, np.float64)
     turned = normal @ np.linalg.pinv(matrix[:3, :3])
     length = np.maximum(np.linalg.norm(turned, axis=1), 1e-30)
@@ -101,7 +101,7 @@ def _in_world(thing):
     return area[:, 0] * stretch, turned / length[:, None], centre @ matrix[:3, :3].T + matrix[:3, 3], slot[:, 0]
 
 
-def _all(faces, name, width, kind):
+def _all(faces, name, width, kind=np.float32):
     numbers = np.empty(len(faces) * width, kind)
     faces.foreach_get(name, numbers)
     return numbers.reshape(-1, width)

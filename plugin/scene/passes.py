@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from . import layers, materials, touched, values
 
-PASSES = {"position": "Position", "normal": "Normal", "z": "Z", "diffuse_direct": "Diffuse Direct", "diffuse_indirect": "Diffuse Indirect",
-          "diffuse_color": "Diffuse Color", "glossy_direct": "Glossy Direct", "glossy_indirect": "Glossy Indirect", "glossy_color": "Glossy Color",
-          "transmission_direct": "Transmission Direct", "transmission_indirect": "Transmission Indirect",
-          "transmission_color": "Transmission Color", "object_index": "Object Index", "material_index": "Material Index",
-          "cryptomatte_object": "Cryptomatte Object", "cryptomatte_material": "Cryptomatte Material"}
+PASSES = {name: name.replace("_", " ").title() for name in (
+    "position", "normal", "z", "diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct", "glossy_indirect", "glossy_color",
+    "transmission_direct", "transmission_indirect", "transmission_color", "object_index", "material_index", "cryptomatte_object",
+    "cryptomatte_material")}  # as view layers name them, and as people do
 
 
 def missing(view_layer):
@@ -38,13 +37,28 @@ def prepare(scene, view_layer):
         done.append("denoising off: this Blender was built without OpenImageDenoise")
     for material in materials.worn(scene):
         plan = layers.plan(material)
+        wired = _without(_own_aovs(material), plan.layers) if material.library is None else {}
         for kind in plan.layers:
             name = layers.NAMES[kind]
             if touched.add_aov(view_layer, name, layers.TYPES[name]):
                 done.append(f"AOV {name}")
-        if material.library is None and _wire(material, plan.layers):
-            done.append(f"{material.name}: " + ", ".join(layers.NAMES[kind] for kind in plan.layers))
+        if material.library is None and _wire(material, wired):
+            done.append(f"{material.name}: " + ", ".join(layers.NAMES[kind] for kind in wired))
     return done
+
+
+def _own_aovs(material):
+    """Names of AOVs that the user wired: they stay."""
+    tree = material.node_tree
+    return {_aov_name(node) for node in (tree.nodes if tree else ()) if node.type == "OUTPUT_AOV" and touched.MARK not in node}
+
+
+def _without(names, wanted):
+    return {kind: value for kind, value in wanted.items() if layers.NAMES[kind] not in names}
+
+
+def _aov_name(node):
+    return getattr(node, "aov_name", node.name)  # 3.4 selects the AOV by the node's name
 
 
 def has_denoiser():

@@ -26,25 +26,24 @@ _BRIGHT = 0.4  # reflectance from which a dielectric's Fresnel and Schlick's mak
 
 def number(place, notes, *names, default=0.0):
     """A socket's number, known or an expression; without such a socket `default`."""
-    socket = place.input(*names)
-    if socket is None:
-        return default
-    value = links.value(socket)
-    if value is None:
-        notes.append(f"{place.node.name}, {socket.socket.name}: comes from inside a node group; its plain number is used")
-        value = links.plain(socket)
-    return values.mean(value)
+    return values.mean(_value(place, notes, names, default))
 
 
 def colour(place, notes, *names, default=(1.0, 1.0, 1.0)):
+    """The same of a colour; known ones are RGB."""
+    value = _value(place, notes, names, default)
+    return values.channels(value) if values.is_known(value) else value
+
+
+def _value(place, notes, names, default):
     socket = place.input(*names)
     if socket is None:
         return default
     value = links.value(socket)
     if value is None:
-        notes.append(f"{place.node.name}, {socket.socket.name}: comes from inside a node group; its plain colour is used")
+        notes.append(f"{place.node.name}, {socket.socket.name}: comes from inside a node group; what stands in the socket is used")
         value = links.plain(socket)
-    return values.channels(value) if values.is_known(value) else value
+    return value
 
 
 def tangent(place):
@@ -65,6 +64,9 @@ def lobes(shader, weight, notes):
     if not values.is_known(through) or through > 0:
         found.append(_reflecting_glass(shader, visible.times(through), notes))
     coat = (_coat if new else _clearcoat)(shader, visible, notes)
+    normal = shader.input("Clearcoat Normal", "Coat Normal")
+    if coat and links.source(normal) != links.source(shader.input("Normal")):
+        notes.append(f"{shader.node.name}, {normal.socket.name}: coat and base are shaded with the mean of their normals, the Normal pass")
     return found + coat
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of the scene for burnish's lights, rendered in a copy of it: the user's own settings are never touched.
+"""Pictures of the scene for burnish's lights, rendered in another scene of the same things: the user's own settings are never touched.
 
 They show what reflections see: objects that glossy rays meet, materials as Light Path nodes make them for glossy rays.
 """
@@ -13,7 +13,9 @@ import os
 import bpy
 
 from . import links, touched
+from .materials import rendered_layer
 
+_NOT_COPIED = {"engine", "denoiser", "preview_denoiser"}  # the first is set; the others are no values where Blender cannot denoise
 
 
 class Cancelled(Exception):
@@ -45,25 +47,24 @@ def stage(scene, picture):
 
 
 def _copy_settings(scene, twin):
-    """All that the first view layer's light depends on."""
+    """All that the light depends on."""
     for thing in scene.collection.objects:
         twin.collection.objects.link(thing)
     for child in scene.collection.children:
         twin.collection.children.link(child)
     twin.world = scene.world
     twin.render.engine = "CYCLES"
-    for part in ("render", "cycles", "cycles_curves"):
+    for part in ("render", "cycles"):
         _copy_values(getattr(scene, part), getattr(twin, part))
     twin.frame_float = scene.frame_float
-    twin.view_layers[0].material_override = scene.view_layers[0].material_override
-    _copy_layers(scene.view_layers[0].layer_collection, twin.view_layers[0].layer_collection)
+    twin.view_layers[0].material_override = rendered_layer(scene).material_override
+    _copy_layers(rendered_layer(scene).layer_collection, twin.view_layers[0].layer_collection)
 
 
 def _copy_values(source, target):
     for prop in source.bl_rna.properties:
-        if not prop.is_readonly and prop.type in ("BOOLEAN", "INT", "FLOAT", "ENUM") and prop.identifier != "engine":
-            with contextlib.suppress(TypeError, AttributeError):  # enums of what this Blender was built without
-                setattr(target, prop.identifier, getattr(source, prop.identifier))
+        if not prop.is_readonly and prop.type in ("BOOLEAN", "INT", "FLOAT", "ENUM") and prop.identifier not in _NOT_COPIED:
+            setattr(target, prop.identifier, getattr(source, prop.identifier))
 
 
 def _copy_layers(source, target):

@@ -119,7 +119,8 @@ def mean(value):
 
 def fresnel(ior, normal=None):
     """Reflectance of a dielectric at the surface's normal, as Cycles' Fresnel node has it; `normal`: expression of another one."""
-    return Expression("FRESNEL", (ior, normal), False, ((typical(ior) - 1) / (typical(ior) + 1)) ** 2)
+    eta = max(typical(ior), 1e-5)
+    return Expression("FRESNEL", (ior, normal), False, ((eta - 1) / (eta + 1)) ** 2)
 
 
 def node_of(tree, value, made):

@@ -16,5 +16,6 @@ void bind_job(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_preview(pybind11::module_& module);
+void bind_shot(pybind11::module_& module);
 
 }  // namespace burnish::python

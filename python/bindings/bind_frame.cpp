@@ -21,7 +21,8 @@ std::shared_ptr<AovFrame> read_frame(const py::kwargs& settings) {
     Job job;
     set_settings(job, to_json(settings), "Frame");
     const py::gil_scoped_release unlocked;
-    return std::make_shared<AovFrame>(read_job_frame(job, prepare_wardrobe(job), job.aovs, job.camera, FramePart::whole));
+    return std::make_shared<AovFrame>(
+        read_job_frame(job, prepare_wardrobe(job), job.aovs, job.camera, FramePart::whole, job.view));
 }
 
 /// Settings by name as the job holds them, those at their defaults left out; `source`: a shot file, or settings by name.

@@ -5,8 +5,11 @@
 #include "json_objects.h"
 
 #include <burnish/material/albedo.h>
+#include <burnish/material/import/import_material.h>
 #include <burnish/material/library.h>
 #include <burnish/material/lobe.h>
+
+#include <pybind11/stl/filesystem.h>
 
 namespace burnish::python {
 namespace {
@@ -57,6 +60,8 @@ py::dict energy(const py::object& description) {
     return result;
 }
 
+py::object materials_of(const std::filesystem::path& path) { return from_json(materials_json(path.string())); }
+
 }  // namespace
 
 void bind_material(py::module_& module) {
@@ -68,6 +73,7 @@ void bind_material(py::module_& module) {
         .def("D", &density, py::arg("wm"), docs::Lobe_D)
         .def("albedo", &albedo, py::arg("wo"), py::arg("samples") = 4096, docs::Lobe_albedo);
     module.def("check_energy", &energy, py::arg("material"));
+    module.def("read_materials", &materials_of, py::arg("path"));
 }
 
 }  // namespace burnish::python

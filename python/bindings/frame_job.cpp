@@ -44,7 +44,7 @@ std::shared_ptr<const AovFrame> frame_from_python(const py::object& arrays, cons
     if (!arrays.is_none()) layers = layers_from_python(arrays);
     const std::string camera = part == FramePart::picture ? "" : job.camera;
     return progress.run([&](const Progress&) {
-        return std::make_shared<const AovFrame>(arrays.is_none() ? read_job_frame(job, wardrobe, file, camera, part)
+        return std::make_shared<const AovFrame>(arrays.is_none() ? read_job_frame(job, wardrobe, file, camera, part, job.view)
                                                                  : frame_from_layers(std::move(layers), camera));
     });
 }

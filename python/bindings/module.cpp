@@ -18,4 +18,5 @@ PYBIND11_MODULE(_core, module) {
     bind_fit(module);
     bind_files(module);
     bind_preview(module);
+    bind_shot(module);
 }

@@ -18,17 +18,22 @@ from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._compositing import composite, refine
 from ._fitting import fit
+from ._image_buffers import to_imagebuf
+from ._shot import Frames, Shot
 from ._tables import library, models, presets, roles, settings, shot_schema
 from .errors import (
     BadArgument,
     Cancelled,
     ColorSpaceError,
     Error,
+    FramesFailed,
+    LostConnection,
     MissingChannel,
     ReadFailed,
     SizeMismatch,
     WriteFailed,
 )
+from . import sequence
 
 if _TYPE_CHECKING:
     from ._core import Progress as _Progress
@@ -43,12 +48,16 @@ __all__ = [
     "Environment",
     "Error",
     "Frame",
+    "Frames",
+    "FramesFailed",
     "LightBandwidth",
     "Lobe",
     "LobeBandwidth",
+    "LostConnection",
     "Measured",
     "MissingChannel",
     "ReadFailed",
+    "Shot",
     "SizeMismatch",
     "WriteFailed",
     "check_energy",
@@ -61,12 +70,15 @@ __all__ = [
     "models",
     "presets",
     "preview",
+    "read_materials",
     "read_measured",
     "refine",
     "roles",
     "run",
+    "sequence",
     "settings",
     "shot_schema",
+    "to_imagebuf",
 ]
 
 
@@ -137,6 +149,30 @@ def info(path: _Path) -> dict[str, _Any]:
         The file is absent, corrupt, deep or no EXR.
     """
     return _core.info(path)
+
+
+def read_materials(path: _Path) -> list[dict[str, _Any]]:
+    """The materials of a glTF (.gltf, .glb) or MaterialX (.mtlx) file, their constants as burnish's lobes.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file; a job names one of its materials by "FILE#NAME".
+
+    Returns
+    -------
+    list of dict
+        {"name": str, "material": dict as shot files hold it, "notes": list of what was left out}, in the order of the file. Colours
+        are as in the file, linear Rec.709.
+
+    Raises
+    ------
+    ReadFailed
+        The file is absent, corrupt or holds no such material.
+    BadArgument
+        A number is out of range; the message names the field.
+    """
+    return _core.read_materials(path)
 
 
 def read_measured(path: _Path) -> Measured:

@@ -6,11 +6,13 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from . import _core
+from ._image_buffers import frames_on_disk, to_array
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from numpy.typing import ArrayLike as Array
+    from OpenImageIO import ImageBuf
 
     from ._core import Environment, Frame, Progress
 
@@ -18,11 +20,11 @@ if TYPE_CHECKING:
 
 
 def composite(
-    aovs: dict | Path | Frame,
-    light: Path | Array | Environment | None,
+    aovs: dict | Path | Frame | ImageBuf,
+    light: Path | Array | Environment | ImageBuf | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | Frame | None = None,
+    fine_aovs: dict | Path | Frame | ImageBuf | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -32,10 +34,11 @@ def composite(
 
     Parameters
     ----------
-    aovs : str or os.PathLike or dict or Frame
+    aovs : str or os.PathLike or dict or Frame or OpenImageIO.ImageBuf
         An EXR, or role name -> ndarray of shape (height, width, channels) or (height, width), float32, linear; see
-        `roles`. A beauty of four channels holds alpha in the fourth.
-    light : str or os.PathLike or ndarray or Environment
+        `roles`. A beauty of four channels holds alpha in the fourth. Wherever an array is taken an ImageBuf is, too; one that holds a
+        whole frame stands for its EXR.
+    light : str or os.PathLike or ndarray or Environment or OpenImageIO.ImageBuf
         Environment map: a file, a picture of shape (height, width, 3), or one that is loaded already. None: that of the
         settings `env` or `lights`, if there is one.
     materials : str or dict, optional
@@ -71,15 +74,16 @@ def composite(
     Cancelled
         `progress` returned False.
     """
-    return _core.composite(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings))
+    with frames_on_disk(aovs, fine_aovs) as (aovs, fine_aovs):
+        return _core.composite(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings))
 
 
 def refine(
-    aovs: dict | Path | Frame,
-    light: Path | Array | Environment | None,
+    aovs: dict | Path | Frame | ImageBuf,
+    light: Path | Array | Environment | ImageBuf | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | Frame | None = None,
+    fine_aovs: dict | Path | Frame | ImageBuf | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -120,7 +124,8 @@ def refine(
     ...     show(layers["beauty"])
     ...     if changed(): break
     """
-    return _steps(_core.Refinement(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings)))
+    with frames_on_disk(aovs, fine_aovs) as (aovs, fine_aovs):
+        return _steps(_core.Refinement(*_arguments(aovs, light, materials, fine_aovs, assign, camera, progress, settings)))
 
 
 def _steps(refinement):
@@ -133,27 +138,33 @@ def _arguments(aovs, light, materials, fine_aovs, assign, camera, progress, sett
     frame = aovs if isinstance(aovs, (dict, _core.Frame)) else None
     if frame is None:
         settings["aovs"] = aovs
-    settings.update(_wardrobe(materials))
+    if materials is not None:
+        settings.update(one_material(materials, True))
     fine = fine_aovs if isinstance(fine_aovs, (dict, _core.Frame)) else None
     if fine is None and fine_aovs is not None:
         settings["fine_aovs"] = fine_aovs
-    masks = assign if isinstance(assign, dict) else None
+    masks = {name: to_array(mask, f"assign: {name}") for name, mask in assign.items()} if isinstance(assign, dict) else None
     if masks is None and assign is not None:
         settings["assign"] = assign
     if camera is not None:
-        settings["camera"] = camera if isinstance(camera, (str, dict, PathLike)) else {"position": camera}
-    return frame, fine, light, masks, settings, progress
+        settings["camera"] = placed_camera(camera)
+    return frame, fine, to_array(light, "light", 3), masks, settings, progress
 
 
-def _wardrobe(materials):
-    """The settings that say what `composite`'s `materials` mean."""
-    if materials is None:
-        return {}
+def placed_camera(camera: dict | Path | Sequence[float]) -> Any:
+    """The setting `camera`; three numbers are its position."""
+    return camera if isinstance(camera, (str, dict, PathLike)) else {"position": camera}
+
+
+def one_material(materials: str | dict, is_worn: bool) -> dict[str, Any]:
+    """The settings that say what `materials` means: a preset or file, one material, or several by name. `is_worn`: where there is one,
+    the whole frame wears it.
+    """
     if not isinstance(materials, dict):
         return {"material": materials}
     if "lobes" in materials or "model" in materials:
         return {"materials": {"material": materials}, "material": "material"}
     wardrobe = {"materials": materials}
-    if len(materials) == 1:
+    if is_worn and len(materials) == 1:
         wardrobe["material"] = next(iter(materials))
     return wardrobe

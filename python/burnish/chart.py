@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import argparse
 import difflib
 import importlib.util
 import os
 import pathlib
-import signal
 import sys
 import tempfile
 
+from ._command_line import FAILED, SIGNAL_BASE, USAGE, Parser, catch_signals, fail
 from .charting import benchmark, collection, estimators, files, shots, speed, stability, table, words
 from .charting.progress import Progress
 from .charting.store import Store
@@ -27,21 +26,6 @@ was measured, so that the same command goes on after it was stopped.
 --estimators charts spheres alone: DIR/estimators.csv (errors relative, PSNR in dB, shading in nanoseconds per pixel and tables in
 seconds, both of one thread) and DIR/estimators.png, and prints what {table.TARGET_DB} dB cost. --stability runs every case of the
 stability suite: DIR/stability.html and DIR/stability.json; exit code 1 when a case does not hold."""
-FAILED, USAGE, SIGNAL_BASE = 1, 2, 128
-
-
-class Parser(argparse.ArgumentParser):
-    """argparse, with burnish's one line for errors."""
-
-    def error(self, message):
-        """End with wrong usage."""
-        sys.exit(fail("E_USAGE", f"{message}; see burnish chart --help", USAGE))
-
-
-def fail(name, message, code):
-    """Say on one line why the run ends; returns the exit code."""
-    print(f"burnish: error: {name} {' '.join(str(message).split())}", file=sys.stderr)
-    return code
 
 
 def parser():
@@ -75,19 +59,13 @@ def main(arguments=None):
     options, more = line.parse_known_args(arguments)
     if options.estimators and options.stability:
         line.error("--estimators or --stability, not both")
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, stop)
+    catch_signals()
     try:
         return run(options, more)
     except Error as error:
         return fail(error.code, error, USAGE if isinstance(error, BadArgument) else FAILED)
     except KeyboardInterrupt as stopped:
         return fail("E_CANCELLED", "stopped; the same command goes on with what was measured", SIGNAL_BASE + stopped.args[0])
-
-
-def stop(number, _):
-    """Let a signal end the run as Ctrl-C does, also where the shell had it ignored."""
-    raise KeyboardInterrupt(number)
 
 
 def run(options, more):

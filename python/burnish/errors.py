@@ -55,6 +55,28 @@ class Cancelled(Error):
     code = "E_CANCELLED"
 
 
+class FramesFailed(Error):
+    """Frames of a sequence failed, or have no input.
+
+    Attributes
+    ----------
+    report : burnish.sequence.SequenceReport
+        What became of every frame.
+    """
+
+    code = "E_FRAMES_FAILED"
+
+    def __init__(self, message, report):
+        super().__init__(message)
+        self.report = report
+
+
+class LostConnection(Error, OSError):
+    """The scheduler of a farm is gone; the same call goes on where it stopped."""
+
+    code = "E_LOST_CONNECTION"
+
+
 BY_CODE = {
     error.code: error
     for error in (BadArgument, MissingChannel, SizeMismatch, ReadFailed, WriteFailed, ColorSpaceError, Cancelled)

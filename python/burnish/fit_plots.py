@@ -8,7 +8,7 @@ import json
 import pathlib
 import sys
 
-from .chart import FAILED, USAGE, fail
+from ._command_line import FAILED, USAGE, fail
 from .charting import fit_picture
 from .charting.files import check_folder
 from .errors import BadArgument, Error, ReadFailed

@@ -57,8 +57,8 @@ def shoot(name, scene, folder, lights=None):
     scene.render.filepath = os.path.join(folder, "frame.exr")
     bpy.context.view_layer.update()
     wardrobe, sky, found = materials.read_materials(scene), world.read_world(scene, folder), lamps.read_lamps(scene)
-    SHOTS[name] = {"shot": {"aovs": scene.render.filepath, "materials": wardrobe.materials, "assign": wardrobe.assign, "camera": camera.read_camera(scene),
-                            "lights": {**(lights or {}), **found.lights}, **sky.settings},
+    shot = {"aovs": scene.render.filepath, "materials": wardrobe.materials, "assign": wardrobe.assign, "camera": camera.read_camera(scene)}
+    SHOTS[name] = {"shot": {**shot, "lights": {**(lights or {}), **found.lights}, **sky.settings},
                    "notes": {"world": sky.notes, "lamps": found.notes, "materials": wardrobe.notes}}
     SHOTS[name]["objects"] = ["ball"]
     bpy.ops.render.render(write_still=True)
@@ -140,19 +140,24 @@ def room():
     scene, folder = empty_scene(80, 45, samples=64), folder_of("room")
     scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
     scene.camera.location, scene.camera.data.lens, scene.camera.data.shift_y = (0, -3.5, 1), 28, -0.1
+    right_angle = math.pi / 2
     for name, colour, place, turn in (("floor", None, (0, 0, 0), (0, 0, 0)), ("ceiling", (0.8, 0.8, 0.8), (0, 0, 3), (math.pi, 0, 0)),
-                                      ("left", (0.7, 0.1, 0.1), (-2, 0, 1.5), (0, math.pi / 2, 0)), ("right", (0.1, 0.6, 0.1), (2, 0, 1.5), (0, -math.pi / 2, 0)),
-                                      ("back", (0.5, 0.5, 0.7), (0, 2, 1.5), (math.pi / 2, 0, 0))):
+                                      ("left", (0.7, 0.1, 0.1), (-2, 0, 1.5), (0, right_angle, 0)),
+                                      ("right", (0.1, 0.6, 0.1), (2, 0, 1.5), (0, -right_angle, 0)),
+                                      ("back", (0.5, 0.5, 0.7), (0, 2, 1.5), (right_angle, 0, 0))):
         bpy.ops.mesh.primitive_plane_add(size=8 if name in ("floor", "ceiling") else 4, location=place, rotation=turn)
         bpy.context.object.name, bpy.context.object.pass_index = name, name == "floor"
-        made = material(name, "Glossy", "GGX", Color=(0.6, 0.6, 0.6), Roughness=0.15)[0] if colour is None else material(name, "Diffuse", Color=colour)[0]
+        polished = {"Color": (0.6, 0.6, 0.6), "Roughness": 0.15}
+        made, _ = material(name, "Diffuse", Color=colour) if colour else material(name, "Glossy", "GGX", **polished)
         bpy.context.object.data.materials.append(made)
-    ball("ball", material("chrome", "Glossy", "GGX", Color=(0.9, 0.9, 0.9), Roughness=0.25)[0], (0.5, 0.2, 0.6), 0.5, camera_only=False).pass_index = 2
+    chrome, _ = material("chrome", "Glossy", "GGX", Color=(0.9, 0.9, 0.9), Roughness=0.25)
+    ball("ball", chrome, (0.5, 0.2, 0.6), 0.5, camera_only=False).pass_index = 2
     shine = material("shine", "Diffuse", Color=(0.8, 0.8, 0.8))[0]
     glow = shine.node_tree.nodes.new("ShaderNodeEmission")
     glow.inputs["Strength"].default_value = 6
     shine.node_tree.links.new(glow.outputs[0], shine.node_tree.nodes["Material Output"].inputs["Surface"])
     bpy.ops.mesh.primitive_plane_add(size=1.5, location=(0, 0, 2.98), rotation=(math.pi, 0, 0))
+    bpy.context.object.name = "panel"
     bpy.context.object.data.materials.append(shine)
     bpy.ops.mesh.primitive_cube_add(size=1, location=(0, 0, -5))  # wholly behind the mirror: it must not stand before it
     bpy.context.view_layer.update()

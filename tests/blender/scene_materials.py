@@ -132,6 +132,17 @@ near(first, per_pixel=["roughness"])
 near(second, roughness=0.33)
 assert notes == ["Glossy BSDF.001, Roughness: another lobe of the material has the layer Roughness; 0.33 is used"], notes
 
+# Worn by geometry nodes, and by an instance.
+nodes = bpy.data.node_groups.new("dress", "GeometryNodeTree")
+nodes.nodes.new("GeometryNodeSetMaterial").inputs["Material"].default_value = material("by nodes", "Glossy")[0]
+ball("dressed").modifiers.new("dress", "NODES").node_group = nodes
+library = bpy.data.collections.new("library")
+library.objects.link(bpy.data.objects.new("original", bpy.data.meshes.new("original")))
+library.objects["original"].data.materials.append(material("instanced", "Glossy")[0])
+instance = add("instance", None)
+instance.instance_type, instance.instance_collection = "COLLECTION", library
+assert {"by nodes", "instanced"} <= materials.read_materials(scene).materials.keys()
+
 # Rules: by index while that is all there is, by cryptomatte once prepared; hidden objects and odd names.
 ball("hidden", material("unseen", "Glossy")[0]).hide_render = True
 ball("odd", material("odd, *name?", "Glossy")[0])

@@ -8,7 +8,7 @@ from addon import OUT, add, ball, empty_scene, material
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
-from burnish_addon.scene import camera, checks, lamps, mirrors, passes, world
+from burnish_addon.scene import camera, checks, lamps, mirrors, passes, world, world_picture
 
 scene = empty_scene(160, 90)
 
@@ -52,6 +52,7 @@ assert camera.read_camera(scene) == {} and any("no camera" in problem.text for p
 scene.camera = camera_object
 
 # Worlds that need no picture, and plain colour.
+world_picture.BAKED_WIDTH = 64
 tree = scene.world.node_tree
 tree.nodes["Background"].inputs["Strength"].default_value = 0
 assert world.read_world(scene, OUT).settings == {} and "black" in world.read_world(scene, OUT).notes[0]
@@ -99,6 +100,27 @@ panel.data.use_nodes, panel.data.cycles.is_portal = False, True
 assert not lamps.read_lamps(scene).lights
 panel.data.cycles.is_portal, panel.visible_glossy = False, False
 assert not lamps.read_lamps(scene).lights
+
+glow, _ = material("glow")
+shader = glow.node_tree.nodes.new("ShaderNodeEmission")
+shader.inputs["Color"].default_value, shader.inputs["Strength"].default_value = (1, 0.5, 0.25, 1), 4
+glow.node_tree.links.new(shader.outputs[0], glow.node_tree.nodes["Material Output"].inputs["Surface"])
+bpy.ops.mesh.primitive_plane_add(size=2, location=(0, 0, 9))
+bpy.context.object.name = "window"
+bpy.context.object.data.materials.append(glow)
+ball("star", glow)
+bpy.context.view_layer.update()
+lights = lamps.read_lamps(scene).lights
+assert list(lights) == ["window"] and lights["window"]["radiance"] == [4, 2, 1] and lights["window"]["two_sided"], lights
+assert sorted(lights["window"]["corners"]) == [[-1, -1, 9], [-1, 1, 9], [1, -1, 9], [1, 1, 9]]
+mix, side = (glow.node_tree.nodes.new(kind) for kind in ("ShaderNodeMixShader", "ShaderNodeNewGeometry"))
+glow.node_tree.links.new(side.outputs["Backfacing"], mix.inputs[0])
+glow.node_tree.links.new(shader.outputs[0], mix.inputs[1])
+glow.node_tree.links.new(mix.outputs[0], glow.node_tree.nodes["Material Output"].inputs["Surface"])
+light = lamps.read_lamps(scene).lights["window"]
+a, b, c, _ = (Vector(corner) for corner in light["corners"])
+assert not light["two_sided"] and (b - a).cross(c - b).z > 0, "its front is above"
+bpy.data.objects.remove(bpy.data.objects["window"])
 
 
 # Mirrors: planes and slabs, not boxes, rough or hidden things, nor what the camera does not see.

@@ -17,6 +17,10 @@ def build():
     ball("painted", paint)
     ball("plain", material("chalk", "Diffuse")[0])
     ball("bare")
+    mine = material("mine", "Glossy")[0]
+    output = mine.node_tree.nodes.new("ShaderNodeOutputAOV")
+    output.name = "Roughness"
+    ball("with its own", mine)
     scene.view_layers[0].use_pass_normal = True  # has one already
     scene.view_layers[0].aovs.add().name = "Mine"
     scene.cycles.use_denoising = True
@@ -38,7 +42,7 @@ assert not touched.is_touched(scene) and touched.restore(scene) == []
 
 done = passes.prepare(scene, scene.view_layers[0])
 assert "pass Position" in done and "pass Normal" not in done and "AOV Roughness" in done, done
-assert any(line.startswith("paint: ") for line in done) and not any("chalk" in line for line in done), done
+assert any(line.startswith("paint: ") for line in done) and not any("chalk" in line or "mine" in line for line in done), done
 assert touched.is_touched(scene)
 assert not [problem for problem in checks.problems(scene) if problem.fix], checks.problems(scene)
 prepared = everything()

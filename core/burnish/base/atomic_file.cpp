@@ -1,5 +1,5 @@
-#include <burnish/base/error.h>
 #include <burnish/base/atomic_file.h>
+#include <burnish/base/error.h>
 
 #include <cerrno>
 #include <cstring>
@@ -7,9 +7,7 @@
 
 namespace burnish {
 namespace fs = std::filesystem;
-namespace {
 
-/// Unique among the processes of a farm that write into one directory; keeps the extension, by which tools know formats.
 fs::path hidden_sibling(const fs::path& target) {
     std::random_device entropy;
     char unique[17];
@@ -17,8 +15,6 @@ fs::path hidden_sibling(const fs::path& target) {
     const std::string stem = target.stem().string(), extension = target.extension().string();
     return target.parent_path() / ("." + stem + "." + unique + extension);
 }
-
-}  // namespace
 
 AtomicFile::AtomicFile(const std::string& target) : m_name(target) {
     std::error_code error;

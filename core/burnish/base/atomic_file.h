@@ -7,6 +7,10 @@
 
 namespace burnish {
 
+/// ".name.<unique>.<ext>" in the same directory: unique among the processes of a farm that write there; keeps the extension, by which
+/// tools know formats.
+std::filesystem::path hidden_sibling(const std::filesystem::path& target);
+
 class AtomicFile {
 public:
     /// Opens the hidden file (".name.<unique>.<ext>", same directory and extension) and makes the directory when absent.

@@ -155,7 +155,8 @@ ExrFile::ExrFile(const std::string& file, const std::string& view) : m_name(file
         names.push_back(part_names(m_parts->specs.back()));
     }
     m_parts->input->geterror();  // running past the last part is how its end shows
-    m_view = choose_view(file, views_of(names), view);
+    m_views = views_of(names);
+    m_view = choose_view(file, m_views, view);
     m_layers = gather_layers(names, m_view);
 }
 
@@ -176,6 +177,10 @@ Window ExrFile::display_window() const {
     const OIIO::ImageSpec& spec = m_parts->specs[0];
     return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
 }
+
+bool ExrFile::has_views_in_one_part() const { return !m_views.empty() && m_parts->specs.size() == 1; }
+
+std::string ExrFile::compression(int part) const { return m_parts->specs[part].get_string_attribute("compression"); }
 
 int ExrFile::block_rows(int part) const { return rows_of_block(m_parts->specs[part]); }
 

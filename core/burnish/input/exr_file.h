@@ -30,6 +30,10 @@ public:
     const std::string& name() const { return m_name; }
     /// View that is read, "" for mono files.
     const std::string& view() const { return m_view; }
+    /// All that there are, in the order of the file.
+    const std::vector<std::string>& views() const { return m_views; }
+    /// They are told apart by the names of channels, not by parts.
+    bool has_views_in_one_part() const;
     const std::vector<Layer>& layers() const { return m_layers; }
     /// The layer of that exact name, null when there is none.
     const Layer* find_layer(const std::string& layer) const;
@@ -38,6 +42,8 @@ public:
     Window display_window() const;
     /// Rows of a part that are unpacked together, whichever of them are wanted.
     int block_rows(int part) const;
+    /// How a part is packed: "zip", "dwaa", ...
+    std::string compression(int part) const;
     /// Attributes of a part.
     std::shared_ptr<const Metadata> metadata(int part) const;
 
@@ -48,6 +54,7 @@ public:
 private:
     struct Parts;
     std::string m_name, m_view;
+    std::vector<std::string> m_views;
     std::vector<Layer> m_layers;
     std::unique_ptr<Parts> m_parts;
 };

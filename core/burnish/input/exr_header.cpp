@@ -1,13 +1,11 @@
 #include <burnish/base/error.h>
+#include <burnish/input/exr_context.h>
 #include <burnish/input/exr_header.h>
-
-#include <openexr.h>
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 
 namespace burnish {
 namespace {
@@ -21,26 +19,6 @@ thread_local std::string first_complaint;
 
 void note_complaint(exr_const_context_t, exr_result_t, const char* message) {
     if (first_complaint.empty()) first_complaint = message;
-}
-
-struct CloseHeader {
-    void operator()(exr_context_t context) const { exr_finish(&context); }
-};
-using Header = std::unique_ptr<std::remove_pointer_t<exr_context_t>, CloseHeader>;
-
-Header open_header(const std::string& file) {
-    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    settings.error_handler_fn = note_complaint;
-    settings.max_image_width = settings.max_image_height = kLargestSide;
-    settings.max_tile_width = settings.max_tile_height = kLargestSide;
-    first_complaint.clear();
-    exr_context_t context = nullptr;
-    const exr_result_t result = exr_start_read(&context, file.c_str(), &settings);
-    if (result != EXR_ERR_SUCCESS) {
-        const std::string reason = first_complaint.empty() ? exr_get_default_error_message(result) : first_complaint;
-        refuse(file, "the OpenEXR header is damaged or out of bounds (" + reason + "); write the file again");
-    }
-    return Header(context);
 }
 
 /// Most bytes one byte of a chunk can decode to: exact for deflate (1032) and PIZ's run lengths, 64 coefficients per DWA byte.
@@ -74,7 +52,10 @@ void check_part(const std::string& file, exr_const_context_t context, int part, 
     exr_storage_t storage = EXR_STORAGE_LAST_TYPE;
     exr_get_storage(context, part, &storage);
     if (storage == EXR_STORAGE_DEEP_SCANLINE || storage == EXR_STORAGE_DEEP_TILED)
-        refuse(file, "is a deep file; flatten it first (for example: oiiotool in.exr --flatten -o out.exr)");
+        refuse(file,
+               "is a deep file; flatten it first (for example: oiiotool in.exr --flatten -o out.exr), but only the beauty: "
+               "positions, "
+               "normals and ids of what lies behind one another must not be mixed, so render those flat");
     exr_attr_box2i_t window{};
     exr_compression_t compression = EXR_COMPRESSION_LAST_TYPE;
     const exr_attr_chlist_t* channels = nullptr;
@@ -118,10 +99,25 @@ bool has_exr_magic(const std::string& file) {
 
 }  // namespace
 
+ExrContext open_exr(const std::string& file) {
+    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    settings.error_handler_fn = note_complaint;
+    settings.max_image_width = settings.max_image_height = kLargestSide;
+    settings.max_tile_width = settings.max_tile_height = kLargestSide;
+    first_complaint.clear();
+    exr_context_t context = nullptr;
+    const exr_result_t result = exr_start_read(&context, file.c_str(), &settings);
+    if (result != EXR_ERR_SUCCESS) {
+        const std::string reason = first_complaint.empty() ? exr_get_default_error_message(result) : first_complaint;
+        refuse(file, "the OpenEXR header is damaged or out of bounds (" + reason + "); write the file again");
+    }
+    return ExrContext(context);
+}
+
 void check_exr_header(const std::string& file) {
     const double bytes = size_of(file);
     if (!has_exr_magic(file)) refuse(file, "is not an OpenEXR file; frames are read from .exr");
-    const Header header = open_header(file);
+    const ExrContext header = open_exr(file);
     int parts = 0;
     exr_get_count(header.get(), &parts);
     for (int part = 0; part < parts; ++part) check_part(file, header.get(), part, bytes);

@@ -5,6 +5,8 @@
 #include <burnish/input/recover_camera.h>
 #include <burnish/input/role_checks.h>
 
+#include <cstdio>
+
 namespace burnish {
 namespace {
 
@@ -38,6 +40,16 @@ void find_camera(AovFrame& frame, const RowStrips& rows, const std::function<Cam
     std::string note;
     frame.camera = recover_camera(*position, rows, frame.display_window, &valid, note);
     (frame.camera ? frame.notes : frame.warnings).push_back(note);
+}
+
+void warn_of_half_positions(const std::string& layer, AovFrame& frame) {
+    const Image* position = frame.find(Role::position);
+    if (!position) return;
+    const HalfError error = half_error(*position, frame.camera ? frame.camera->centre : Vec3f(0));
+    char steps[80], turn[80] = "";
+    std::snprintf(steps, sizeof steps, " is stored as half floats, in steps of %.2g units here", error.step);
+    if (frame.camera) std::snprintf(turn, sizeof turn, ", which turn the view by up to %.2g degrees", error.turn_deg);
+    frame.warnings.push_back("position: " + layer + steps + turn + "; reflections may show bands. Render it as 32-bit float");
 }
 
 void judge_depth(AovFrame& frame, const RowStrips& rows) {

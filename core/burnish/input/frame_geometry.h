@@ -14,6 +14,9 @@ namespace burnish {
 /// has positions or depth.
 void find_camera(AovFrame& frame, const RowStrips& rows, const std::function<Camera(const AovFrame&)>& given);
 
+/// With position, which is stored as half floats: warns of what that costs.
+void warn_of_half_positions(const std::string& layer, AovFrame& frame);
+
 /// With position and a camera: notes whether depth is planar or ray length, and takes depth out when it is neither.
 void judge_depth(AovFrame& frame, const RowStrips& rows);
 

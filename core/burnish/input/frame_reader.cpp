@@ -3,10 +3,12 @@
 #include <burnish/input/depth.h>
 #include <burnish/input/frame_geometry.h>
 #include <burnish/input/frame_reader.h>
+#include <burnish/input/lossy.h>
 #include <burnish/input/metadata_spec.h>
 #include <burnish/input/read_cryptomattes.h>
 #include <burnish/input/role_checks.h>
 #include <burnish/input/settle.h>
+#include <burnish/input/told_space.h>
 #include <burnish/input/verify_layer.h>
 
 #include <algorithm>
@@ -19,6 +21,12 @@ namespace {
 
 constexpr size_t kJudgedPixels = size_t{1} << 21;  // just above 1920 x 1080
 constexpr size_t kFewestHits = 20000;              // pixels on surfaces that strips should see
+
+std::string view_list(const std::vector<std::string>& views) {
+    std::string text;
+    for (const std::string& view : views) text += (text.empty() ? "" : ", ") + view;
+    return text;
+}
 
 /// A frame without pixels. Windows and attributes are those of the part that holds the first role found: the beauty's, when
 /// there is one.
@@ -36,7 +44,10 @@ AovFrame empty_frame(const ExrFile& file, const std::vector<Slot>& slots, const 
 
     std::string line = "written by " + std::string(renderer_name(print.renderer));
     if (!print.evidence.empty()) line += " (" + print.evidence + ")";
-    frame.notes.push_back(line + (file.view().empty() ? "" : ", view " + file.view()));
+    frame.notes.push_back(line);
+    if (!file.view().empty()) frame.notes.push_back("view " + file.view() + " of " + view_list(file.views()));
+    if (const ToldSpace told = told_space(*frame.metadata); !told.evidence.empty())
+        frame.notes.push_back("colour: " + (told.space.empty() ? "" : told.space + ", by ") + told.evidence);
     return frame;
 }
 
@@ -52,11 +63,31 @@ void note_layer(const ExrFile& file, const Slot& slot, AovFrame& frame) {
     frame.notes.push_back(line);
 }
 
+/// The channels lie in one part.
+void warn_of_packing(const ExrFile& file, const std::string& name, const std::vector<Channel>& channels, AovFrame& frame) {
+    const std::string packing = file.compression(channels.front().part);
+    std::string changed;
+    for (const std::string& channel : changed_channels(packing, channels)) changed += (changed.empty() ? "" : ", ") + channel;
+    if (!changed.empty())
+        frame.warnings.push_back(name + ": " + packing + " compression has changed " + changed +
+                                 "; write data layers and ids with zip");
+}
+
+void warn_of_packing(const ExrFile& file, const std::vector<Slot>& slots, AovFrame& frame) {
+    for (const Slot& slot : slots) {
+        const std::vector<Channel>& channels = slot.candidates.front().channels;
+        const bool is_fine = role_info(slot.role).is_color || slot.role == Role::alpha ||
+                             file.compression(channels.front().part) == "pxr24";  // 24 bits are enough for what is no id
+        if (!is_fine) warn_of_packing(file, slot.name(), channels, frame);
+    }
+}
+
 void add_cryptomattes(const ExrFile& file, AovFrame& frame) {
     frame.cryptomattes = find_cryptomattes(file, frame.warnings);
     for (const Cryptomatte& matte : frame.cryptomattes) {
         const std::string names =
             matte.manifest.empty() ? "no list of names" : std::to_string(matte.manifest.size()) + " names";
+        warn_of_packing(file, "cryptomatte " + matte.name, channels_of(file, matte), frame);
         frame.notes.push_back("cryptomatte: " + matte.name + ", " + std::to_string(matte.channels.size() / 2) + " ranks, " +
                               names);
     }
@@ -105,6 +136,7 @@ FrameReader::FrameReader(const std::string& file, const ReadOptions& options, si
     add_substitutes(options);
     m_whole = std::exchange(m_frame.layers, {});
     for (const Slot& slot : m_slots) note_layer(m_file, slot, m_frame);
+    warn_of_packing(m_file, m_slots, m_frame);
     if (options.cryptomattes) add_cryptomattes(m_file, m_frame);
     count_channels(m_file, m_slots, m_frame);
 } catch (const std::bad_alloc&) {
@@ -150,6 +182,10 @@ void FrameReader::judge_rows(const ReadOptions& options, const RowStrips& rows) 
 void FrameReader::settle_geometry(const ReadOptions& options, const RowStrips& rows) {
     find_camera(m_frame, rows, options.camera);
     judge_depth(m_frame, rows);
+    for (const Slot& slot : m_slots)
+        if (const Candidate& layer = slot.candidates.front();
+            slot.role == Role::position && layer.channels.front().type == ChannelType::half)
+            warn_of_half_positions(layer.layer, m_frame);
     for (const Slot& slot : m_slots) {
         const bool is_ray = depth_is_ray_length(m_print.renderer, normal_form(slot.candidates.front().layer));
         if (slot.role == Role::depth && complete_position(m_frame, rows, is_ray)) m_depth_is_ray = is_ray;

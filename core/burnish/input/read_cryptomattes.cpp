@@ -36,14 +36,21 @@ std::vector<Cryptomatte> find_cryptomattes(const ExrFile& file, std::vector<std:
     return decode_cryptomattes(source, warnings);
 }
 
-void read_ranks(const ExrFile& file, const Window& window, Cryptomatte& cryptomatte) {
-    std::map<std::string, Channel> channels;
+std::vector<Channel> channels_of(const ExrFile& file, const Cryptomatte& cryptomatte) {
+    std::map<std::string, Channel> by_name;
     for (const Layer& layer : file.layers())
-        for (const Channel& channel : layer.channels) channels[full_name(layer, channel)] = channel;
+        for (const Channel& channel : layer.channels) by_name[full_name(layer, channel)] = channel;
+    std::vector<Channel> channels;
+    for (const std::string& name : cryptomatte.channels) channels.push_back(by_name.at(name));
+    return channels;
+}
+
+void read_ranks(const ExrFile& file, const Window& window, Cryptomatte& cryptomatte) {
+    const std::vector<Channel> channels = channels_of(file, cryptomatte);
     cryptomatte.ranks.assign(cryptomatte.channels.size() / 2, Image(window.width, window.height, 2));
     std::vector<ChannelRead> reads;
-    for (size_t c = 0; c < cryptomatte.channels.size(); ++c)
-        reads.push_back({channels.at(cryptomatte.channels[c]), &cryptomatte.ranks[c / 2], static_cast<int>(c % 2)});
+    for (size_t c = 0; c < channels.size(); ++c)
+        reads.push_back({channels[c], &cryptomatte.ranks[c / 2], static_cast<int>(c % 2)});
     file.read(reads, window);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace burnish {
@@ -74,6 +75,18 @@ PositionCheck check_positions(const Image& position) {
 float half_step(float value) {
     constexpr int kMantissaBits = 10, kSmallestExponent = -14;
     return std::ldexp(1.0f, std::max(std::ilogb(std::max(value, 1e-6f)), kSmallestExponent) - kMantissaBits);
+}
+
+HalfError half_error(const Image& position, const Vec3f& centre) {
+    HalfError error{half_step(check_positions(position).median_size), 0};
+    const size_t step = sample_step(position);
+    for (size_t i = 0; i < position.pixel_count(); i += step) {
+        if (!is_hit(position.at(i))) continue;
+        const Vec3f p = vector_at(position, i);
+        const double lost = 0.5 * half_step(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}));
+        error.turn_deg = std::max(error.turn_deg, std::atan2(lost, (p - centre).length()) * 180 / std::numbers::pi);
+    }
+    return error;
 }
 
 Facing facing_share(const Image& normal, const Image& position, const Vec3f& centre) {

@@ -37,6 +37,14 @@ PositionCheck check_positions(const Image& position);
 /// Step between neighbouring half floats at `value`.
 float half_step(float value);
 
+/// What positions lose as half floats: half a step of the largest coordinate, and the largest angle by which that turns the direction
+/// to a viewer at `centre`, of the nearest surface for instance.
+struct HalfError {
+    float step = 0.0f;  // at the median, scene units
+    double turn_deg = 0.0;
+};
+HalfError half_error(const Image& position, const Vec3f& centre);
+
 /// Share of interior pixels (not at silhouettes) whose normal faces the viewer at `centre`: dot(N, C - P) > 0.
 struct Facing {
     size_t pixels = 0;  // looked at

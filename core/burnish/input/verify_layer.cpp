@@ -27,10 +27,6 @@ Verdict verify_position(const Candidate& candidate, const Image& image) {
     const PositionCheck check = check_positions(image);
     if (check.pixels == 0) return {false, false, "zero or not finite everywhere", ""};
     Verdict verdict{true, false, "about " + number("%.3g", check.median_size) + " units from the origin", ""};
-    if (candidate.channels.front().type == ChannelType::half)
-        verdict.warning = "position: " + candidate.layer + " is stored as half floats, in steps of " +
-                          number("%.2g", half_step(check.median_size)) +
-                          " units here; reflections near the camera may show bands. Render it as 32-bit float";
     if (candidate.meaning.is_camera_space)
         verdict.warning =
             "position: " + candidate.layer +

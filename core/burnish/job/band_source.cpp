@@ -12,7 +12,7 @@ std::shared_ptr<Band> BandSource::next() {
     if (m_task >= m_tasks.size()) return nullptr;
     auto band = std::make_shared<Band>();
     band->task = m_task;
-    band->is_skipped = !m_reader && m_job.output.skip_existing && is_up_to_date(m_tasks[m_task]);
+    band->is_skipped = !m_reader && m_finished.has(m_tasks[m_task]);
     try {
         if (!band->is_skipped) timed(band->seconds, "reading", [&] { read(*band); });
         if (band->is_skipped || band->is_last) leave_frame();
@@ -39,10 +39,10 @@ void BandSource::read(Band& band) {
 /// Bands are as large as their samples allow.
 void BandSource::open(const FrameTask& task) {
     const bool has_fine = !task.fine_aovs.empty();
-    m_reader.emplace(task.aovs, read_options(m_job, m_wardrobe, task.camera, has_fine ? FramePart::picture : FramePart::whole),
-                     m_band_pixels);
+    const auto options = [&](FramePart part) { return read_options(m_job, m_wardrobe, task.camera, part, task.view_in_file); };
+    m_reader.emplace(task.aovs, options(has_fine ? FramePart::picture : FramePart::whole), m_band_pixels);
     if (!has_fine) return;
-    m_fine.emplace(task.fine_aovs, read_options(m_job, m_wardrobe, task.camera, FramePart::surfaces), m_band_pixels);
+    m_fine.emplace(task.fine_aovs, options(FramePart::surfaces), m_band_pixels);
     const AovFrame &frame = m_reader->frame(), &fine = m_fine->frame();
     m_grid = sample_grid(frame, fine);
     check_samples(m_grid, frame, fine);

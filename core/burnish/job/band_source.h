@@ -5,7 +5,7 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/input/frame_reader.h>
 #include <burnish/job/band.h>
-#include <burnish/job/frame_tasks.h>
+#include <burnish/job/finished_frames.h>
 
 #include <memory>
 #include <optional>
@@ -17,7 +17,12 @@ public:
     /// All arguments must outlive the source. `progress`: of reading alone.
     BandSource(const Job& job, const Wardrobe& wardrobe, const std::vector<FrameTask>& tasks, size_t band_pixels,
                Progress progress)
-        : m_job(job), m_wardrobe(wardrobe), m_tasks(tasks), m_band_pixels(band_pixels), m_progress(std::move(progress)) {}
+        : m_job(job),
+          m_wardrobe(wardrobe),
+          m_tasks(tasks),
+          m_finished(job, wardrobe),
+          m_band_pixels(band_pixels),
+          m_progress(std::move(progress)) {}
 
     /// The next band; null after the last, and after a failure that ends the run. Throws Error(cancelled); every other error
     /// is in the band.
@@ -32,6 +37,7 @@ private:
     const Job& m_job;
     const Wardrobe& m_wardrobe;
     const std::vector<FrameTask>& m_tasks;
+    FinishedFrames m_finished;
     size_t m_band_pixels;
     Progress m_progress;
     size_t m_task = 0;

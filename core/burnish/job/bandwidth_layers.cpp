@@ -87,7 +87,8 @@ BandwidthLayers bandwidth_layers(const AovFrame& frame, const Assignment& assign
     return layers;
 }
 
-void write_bandwidth(const std::string& file, const AovFrame& frame, const BandwidthLayers& layers, PixelType type) {
+void write_bandwidth(const std::string& file, const AovFrame& frame, const BandwidthLayers& layers, PixelType type,
+                     const HeaderTexts& attributes) {
     const std::vector<Image> bandwidth = max_pyramid(layers.bandwidth), level = min_pyramid(layers.level),
                              samples = max_pyramid(layers.samples), curvature = max_pyramid(layers.curvature),
                              nu_a = max_pyramid(layers.nu_a);
@@ -99,7 +100,7 @@ void write_bandwidth(const std::string& file, const AovFrame& frame, const Bandw
                           {{"samples.X"}, &samples[k]},
                           {{"curvature.X"}, &curvature[k]},
                           {{"nu_a.X"}, &nu_a[k]}}});
-    write_exr_parts(file, frame, parts, type);
+    write_exr_parts(file, frame, parts, type, attributes);
 }
 
 Image level_picture(const BandwidthLayers& layers) {

@@ -19,7 +19,8 @@ struct BandwidthLayers {
     Image level;      // of the grid that is fine enough: a sample every 2^level pixels, see shading_level
     Image samples;    // per pixel for equal noise, by the predicted variance, relative to the mean over shaded pixels
     Image curvature;  // of the surface, 1/unit
-    Image nu_a;    // of the overlay, cycles per radian of the reflected direction; `bandwidth` is this times the turn per pixel, shear included
+    Image
+        nu_a;  // of the overlay, cycles per radian of the reflected direction; `bandwidth` is this times the turn per pixel, shear included
     Image shaded;  // 1 where a pixel has a prediction
 };
 
@@ -41,7 +42,8 @@ BandwidthLayers bandwidth_layers(const AovFrame& frame, const Assignment& assign
 
 /// The layers with a pyramid each, as parts of one EXR: level_0 the frame, level_k every 2^k-th pixel the extreme of its block;
 /// the smallest of `level`, the largest of the others. Metadata as of every output. Throws Error(write_failed).
-void write_bandwidth(const std::string& file, const AovFrame& frame, const BandwidthLayers& layers, PixelType type);
+void write_bandwidth(const std::string& file, const AovFrame& frame, const BandwidthLayers& layers, PixelType type,
+                     const HeaderTexts& attributes = {});
 
 /// The picture of `level`: each its colour (output/level_colors.h), black where nothing is shaded, the colours below as a scale.
 Image level_picture(const BandwidthLayers& layers);

@@ -3,12 +3,16 @@
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/band_source.h>
 #include <burnish/job/build_lights.h>
+#include <burnish/job/color_check.h>
 #include <burnish/job/flow_progress.h>
 #include <burnish/job/frame_sink.h>
 #include <burnish/job/savings.h>
 #include <burnish/job/stages.h>
 
 #include <oneapi/tbb/parallel_pipeline.h>
+
+#include <algorithm>
+#include <iterator>
 
 namespace burnish {
 namespace {
@@ -18,14 +22,15 @@ namespace {
 class BandShader {
 public:
     BandShader(const Job& job, const ColorFlow& color, const Wardrobe& wardrobe, const std::vector<FrameTask>& tasks,
-               Progress progress, Report& report)
+               Progress progress, std::optional<Look>& look, Report& report)
         : m_job(job),
           m_color(color),
           m_wardrobe(wardrobe),
           m_frames(tasks),
           m_tasks(static_cast<float>(tasks.size())),
           m_progress(std::move(progress)),
-          m_report(report) {}
+          m_report(report),
+          m_look(look) {}
 
     /// Shades the band, unless its frame failed before. Throws Error(cancelled); every other error is in the band.
     void shade(Band& band) {
@@ -54,6 +59,7 @@ private:
         Rig rig = timed(m_report.seconds, "light",
                         [&] { return build_rig(m_job, m_wardrobe.rules, m_color, nullptr, light_frame(band)); });
         m_look = prepare_look(m_job, m_wardrobe, std::move(rig), {samples_of(band), static_cast<int>(m_frames.size())});
+        std::ranges::move(color_warnings(m_job, band.frame), std::back_inserter(m_look->wardrobe.warnings));
         band.is_run_over = false;
     }
 
@@ -94,17 +100,17 @@ private:
     Report& m_report;
     std::optional<size_t> m_task, m_lit_task;  // the frame at hand; the one whose own lights are loaded
     bool m_has_failed = false;
-    std::optional<Look> m_look;
+    std::optional<Look>& m_look;
 };
 
 }  // namespace
 
 void run_flow(const Job& job, const FlowSettings& settings, const std::vector<FrameTask>& tasks, const ColorFlow& color,
-              const Wardrobe& wardrobe, const Progress& whole, Report& report) {
+              const Wardrobe& wardrobe, std::optional<Look>& look, const Progress& whole, Report& report) {
     using Item = std::shared_ptr<Band>;
     FlowProgress progress(whole);
     BandSource source(job, wardrobe, tasks, settings.band_pixels, progress.of(FlowStage::read));
-    BandShader shader(job, color, wardrobe, tasks, progress.of(FlowStage::shade), report);
+    BandShader shader(job, color, wardrobe, tasks, progress.of(FlowStage::shade), look, report);
     FrameSink sink(job, color, tasks, progress.of(FlowStage::write), report);
 
     const auto read = [&](tbb::flow_control& control) {

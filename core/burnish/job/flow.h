@@ -11,6 +11,7 @@
 #include <burnish/job/look.h>
 #include <burnish/output/report.h>
 
+#include <optional>
 #include <vector>
 
 namespace burnish {
@@ -21,9 +22,10 @@ struct FlowSettings {
 };
 
 /// Runs the tasks and adds to `report` one entry a frame, in order, and what light and tables tell. Frames that fail stop the
-/// run once all before them are written, or are passed over, as the job says. Pixels and report do not depend on `settings`.
+/// run once all before them are written, or are passed over, as the job says. Pixels and report do not depend on `settings`. `look`:
+/// made with the first frame unless it is there; another run of the same job may use it again.
 /// Throws what `run` throws.
 void run_flow(const Job& job, const FlowSettings& settings, const std::vector<FrameTask>& tasks, const ColorFlow& color,
-              const Wardrobe& wardrobe, const Progress& progress, Report& report);
+              const Wardrobe& wardrobe, std::optional<Look>& look, const Progress& progress, Report& report);
 
 }  // namespace burnish

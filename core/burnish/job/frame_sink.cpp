@@ -6,7 +6,7 @@ namespace burnish {
 namespace {
 
 void name(const FrameTask& task, FrameReport& entry) {
-    entry.frame = task.frame, entry.input = task.aovs, entry.output = task.output;
+    entry.frame = task.frame, entry.view = task.view, entry.input = task.aovs, entry.output = task.output;
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ void FrameSink::take(Band& band, const Look* look) {
 
 void FrameSink::begin_frame(size_t task) {
     m_task = task, m_rows = 0, m_tally = {};
-    m_writer.emplace(m_job, m_color, m_tasks[task]);
+    m_writer.emplace(m_job, m_color, m_tasks[task], m_output, m_hash);
     FrameReport& entry = m_report.frames.emplace_back();
     name(m_tasks[task], entry);
     entry.status = FrameStatus::failed;
@@ -56,7 +56,11 @@ void FrameSink::tell(const Band& band, const Look& look) {
 
 /// A fault of the frame itself is told and passed over, or ends the run, as the job says.
 void FrameSink::drop_frame(const Band& band, const Error& error) {
-    m_report.frames.back().error = std::string(error_name(error.code())) + " " + error.what();
+    FrameReport& failed = m_report.frames.back();
+    failed.error = std::string(error_name(error.code())) + " " + error.what();
+    for (FrameReport& entry : m_report.frames)  // views that share the output
+        if (entry.status == FrameStatus::done && entry.output == failed.output)
+            entry.status = FrameStatus::failed, entry.error = failed.error;
     if (is_passed_over(m_job, error)) return;
     const FrameTask& task = m_tasks[band.task];
     throw Error(error.code(), (task.frame ? "frame=" + std::to_string(*task.frame) + " " : "") + error.what());

@@ -45,6 +45,7 @@ struct OutputSettings {
     std::string preview, report;  // PNG and JSON beside it; "" = none
     PixelType pixel_type = PixelType::half;
     bool diagnostics = false;  // validity, samples and error layers
+    bool keep_layers = false;  // the frame's own parts behind burnish's
     bool skip_existing = false;
 };
 
@@ -52,7 +53,7 @@ struct Job {
     std::string aovs;       // EXR, may hold a frame pattern
     std::string fine_aovs;  // the same at a multiple of its size: geometry and ids are taken from there; "" = none
     std::string frames;     // "1-24", "1-100x5"; "" = the file as named, or every frame found
-    std::string view;       // multi-view files
+    std::string view;       // multi-view files; kAllViews, or "" = the first
     BadFrames bad_frames = BadFrames::error;
     std::map<Role, std::string> channels;  // explicit layer per role
     std::string camera;                    // file, may hold a frame pattern, or the JSON itself; "" = from the frame

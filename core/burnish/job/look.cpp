@@ -70,7 +70,11 @@ Wardrobe prepare_wardrobe(const Job& job) {
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
         wardrobe.kd.emplace_back(material);
-        if (checked.insert(rule.material).second) warn_of_energy(rule.material, material, wardrobe.warnings);
+        if (checked.insert(rule.material).second) {
+            warn_of_energy(rule.material, material, wardrobe.warnings);
+            for (const std::string& note : material.notes)
+                wardrobe.warnings.push_back("material '" + rule.material + "': " + note);
+        }
         if (job.composite.mode == CompositeMode::difference)
             wardrobe.old_materials.push_back(resolve(job, old_name(job, rule.material)));
     }

@@ -45,7 +45,8 @@ void split_alpha(std::map<Role, Image>& layers) {
 
 }  // namespace
 
-ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera, FramePart part) {
+ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera, FramePart part,
+                         const std::string& view) {
     const auto is_elsewhere = [part](const auto& wanted) { return is_in_other_part(role_of(wanted), part); };
     ReadOptions options;
     options.roles = wanted_roles(job, wardrobe);
@@ -54,7 +55,7 @@ ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::st
     std::erase_if(options.roles, is_elsewhere);
     std::erase_if(options.substitutes, is_elsewhere);
     std::erase_if(options.channels, is_elsewhere);
-    options.view = job.view;
+    options.view = view;
     if (part == FramePart::picture) return options;
     if (may_be_sparse(job.density.density, job.estimator.kind)) options.shaded_block = ShadingPlan::kBlock;
     options.camera = camera_source(camera);
@@ -64,8 +65,8 @@ ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::st
 }
 
 AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera,
-                        FramePart part) {
-    return read_frame(file, read_options(job, wardrobe, camera, part));
+                        FramePart part, const std::string& view) {
+    return read_frame(file, read_options(job, wardrobe, camera, part, view));
 }
 
 AovFrame frame_from_layers(std::map<Role, Image> layers, const std::string& camera) {

@@ -12,12 +12,13 @@ namespace burnish {
 /// What a file is there for: all of it, or one half where there are finer AOVs.
 enum class FramePart { whole, picture, surfaces };
 
-/// What the job needs of a file. `camera`: JSON file, the JSON itself, or "" (see Job::camera).
-ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera, FramePart part);
+/// What the job needs of a file. `camera`: JSON file, the JSON itself, or "" (see Job::camera). `view`: see ReadOptions.
+ReadOptions read_options(const Job& job, const Wardrobe& wardrobe, const std::string& camera, FramePart part,
+                         const std::string& view);
 
 /// Reads the layers that the job needs, whole. Throws Error(read_failed | missing_channel | bad_argument).
 AovFrame read_job_frame(const Job& job, const Wardrobe& wardrobe, const std::string& file, const std::string& camera,
-                        FramePart part);
+                        FramePart part, const std::string& view);
 
 /// A frame from layers of one size, linear and in world space. A beauty of four channels holds alpha too. Without a camera it
 /// is recovered from position. Throws Error(size_mismatch | bad_argument).

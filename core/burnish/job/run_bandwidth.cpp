@@ -5,7 +5,8 @@
 #include <burnish/job/bandwidth_layers.h>
 #include <burnish/job/build_lights.h>
 #include <burnish/job/color_flow.h>
-#include <burnish/job/frame_tasks.h>
+#include <burnish/job/finished_frames.h>
+#include <burnish/job/job_hash.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/stages.h>
 #include <burnish/output/exr_threads.h>
@@ -22,18 +23,23 @@ namespace {
 /// What all frames share; light and tables are made with the first.
 class BandwidthRun {
 public:
-    BandwidthRun(const Job& job, const ColorFlow& color) : m_job(job), m_color(color), m_wardrobe(prepare_wardrobe(job)) {
+    BandwidthRun(const Job& job, const ColorFlow& color)
+        : m_job(job),
+          m_color(color),
+          m_wardrobe(prepare_wardrobe(job)),
+          m_finished(job, m_wardrobe, kKind),
+          m_hash(job_hash(job, kKind)) {
         m_job.density.density = ShadingDensity::sparse;  // predicts whatever is shaded densely
     }
 
     void run(const FrameTask& task, BandwidthReport& report, const Progress& progress) {
         report.frame = task.frame, report.input = task.aovs, report.output = task.output;
-        report.is_skipped = m_job.output.skip_existing && is_up_to_date(task);
+        report.is_skipped = m_finished.has(task);
         if (report.is_skipped) return;
         progress.report("reading", 0.0f);
         const bool has_fine = !task.fine_aovs.empty();
         const AovFrame frame = read_job_frame(m_job, m_wardrobe, has_fine ? task.fine_aovs : task.aovs, task.camera,
-                                              has_fine ? FramePart::surfaces : FramePart::whole);
+                                              has_fine ? FramePart::surfaces : FramePart::whole, task.view_in_file);
         prepare(frame, task.frame);
         NamedValues<double> seconds;
         const BandwidthLayers layers =
@@ -42,7 +48,7 @@ public:
         report.width = layers.level.width, report.height = layers.level.height;
         count_levels(layers, report);
         progress.report("writing", 0.9f);
-        write_bandwidth(task.output, frame, layers, m_job.output.pixel_type);
+        write_bandwidth(task.output, frame, layers, m_job.output.pixel_type, {{kJobHashAttribute, m_hash}});
         if (!task.preview.empty()) write_code_values(task.preview, level_picture(layers));
     }
 
@@ -78,9 +84,13 @@ private:
         }
     }
 
+    static constexpr const char* kKind = "bandwidth";
+
     Job m_job;
     const ColorFlow& m_color;
     Wardrobe m_wardrobe;
+    FinishedFrames m_finished;
+    std::string m_hash;
     std::optional<Look> m_look;
     Variances m_variances;  // of each rule under the environment alone
 };
@@ -97,6 +107,10 @@ std::vector<BandwidthReport> run_bandwidth(const Job& job, const Progress& progr
     const ThreadLimit limit(job.threads);
     const ExrThreads exr_threads(job.threads);
     const std::vector<FrameTask> tasks = frame_tasks(job);
+    for (const FrameTask& task : tasks)
+        if (task.views > 1)
+            throw Error(ErrorCode::bad_argument,
+                        "view: all views share '" + task.output + "'; put %V where the view's name goes");
     const ColorFlow color(job);
     BandwidthRun run(job, color);
     std::vector<BandwidthReport> reports(tasks.size());

@@ -3,6 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/composite/sample_grid.h>
 #include <burnish/job/build_lights.h>
+#include <burnish/job/color_check.h>
 #include <burnish/job/frame_tasks.h>
 #include <burnish/job/read_frame.h>
 #include <burnish/job/refinement.h>
@@ -11,6 +12,9 @@
 #include <burnish/job/stages.h>
 #include <burnish/job/write_frame.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace burnish {
 namespace {
 
@@ -18,7 +22,7 @@ FrameTask only_task(const Job& job) {
     std::vector<FrameTask> tasks = frame_tasks(job);
     if (tasks.size() == 1) return std::move(tasks.front());
     throw Error(ErrorCode::bad_argument, "progressive: expected one frame, found " + std::to_string(tasks.size()) +
-                                             "; choose one with --frames N, or leave --progressive out");
+                                             "; choose one with --frames N or --view NAME, or leave --progressive out");
 }
 
 /// What is read before the first picture.
@@ -28,9 +32,10 @@ struct Shot {
 
     Shot(const Job& job, const FrameTask& task, const Wardrobe& wardrobe) {
         const bool has_fine = !task.fine_aovs.empty();
-        frame = read_job_frame(job, wardrobe, task.aovs, task.camera, has_fine ? FramePart::picture : FramePart::whole);
+        frame = read_job_frame(job, wardrobe, task.aovs, task.camera, has_fine ? FramePart::picture : FramePart::whole,
+                               task.view_in_file);
         if (!has_fine) return;
-        fine = read_job_frame(job, wardrobe, task.fine_aovs, task.camera, FramePart::surfaces);
+        fine = read_job_frame(job, wardrobe, task.fine_aovs, task.camera, FramePart::surfaces, task.view_in_file);
         check_samples(sample_grid(frame, *fine), frame, *fine);
     }
 
@@ -56,7 +61,8 @@ public:
         FrameReport entry = frame_report(m_job, shot.frame, shot.samples(), look, refined.result.tally);
         entry.frame = m_task.frame, entry.input = m_task.aovs, entry.output = m_task.output;
         timed(entry.seconds, "writing", [&] {
-            FrameWriter writer(m_job, m_color, m_task);
+            JoinedOutput output(m_job);
+            FrameWriter writer(m_job, m_color, m_task, output);
             writer.append(shot.frame.data_window, shot.frame, refined.result);
             writer.finish();
         });
@@ -87,6 +93,7 @@ void run_steps(const Job& job, const Progress& progress, const std::function<voi
     Wardrobe wardrobe = prepare_wardrobe(job);
     report.warnings = wardrobe.warnings;
     const Shot shot = timed(report.seconds, "reading", [&] { return Shot(job, task, wardrobe); });
+    std::ranges::move(color_warnings(job, shot.frame), std::back_inserter(wardrobe.warnings));
     Rig rig = rig_of(job, wardrobe, color, shot.light_frame(task), report);
     Refinement refinement(job, shot.frame, shot.samples(), std::move(wardrobe), std::move(rig), nullptr);
     Watched watched(job, color, task, report);

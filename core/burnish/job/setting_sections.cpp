@@ -1,5 +1,6 @@
 #include <burnish/job/setting_sections.h>
 
+#include <burnish/material/import/import_material.h>
 #include <burnish/material/measured/read_measured.h>
 #include <burnish/material/measured/table_files.h>
 
@@ -26,13 +27,15 @@ std::vector<std::string_view> known_keys(std::string_view section) {
     return keys;
 }
 
+bool names_file(const std::string& material) { return is_measured_name(material) || is_import_name(material); }
+
 /// The value with its paths as from `folder`.
 json with_paths_in(const Setting& setting, const json& value, const std::filesystem::path& folder) {
     if (setting.kind == SettingKind::path && value.is_string()) return in_folder(value.get<std::string>(), folder);
     if (setting.kind != SettingKind::materials || !value.is_object()) return value;
     json materials = json::object();
     for (const auto& [name, material] : value.items())
-        materials[name] = material.is_string() && is_measured_name(material.get<std::string>())
+        materials[name] = material.is_string() && names_file(material.get<std::string>())
                               ? json(in_folder(material.get<std::string>(), folder))
                               : with_tables_in(material, folder);
     return materials;

@@ -30,7 +30,10 @@ void add_input(std::vector<Setting>& table) {
     table.push_back(choice<BadFrames>({"bad_frames", "", "bad_frames"}, AT(bad_frames),
                                       {{"error", BadFrames::error}, {"skip", BadFrames::skip}},
                                       "a frame that is missing, unreadable or lacks a channel: stop, or report it and go on"));
-    table.push_back(text({"view", "", "view"}, AT(view), Kind::text, "NAME", "view of a multi-view file; empty: the first"));
+    table.push_back(
+        text({"view", "", "view"}, AT(view), Kind::text, "NAME",
+             "view of a multi-view file; all: every view, each in its own part of the output; empty: the first; %V in names of "
+             "files stands for left or right, %v for l or r"));
     table.push_back(channels_setting());
     table.push_back(camera_setting());
 }
@@ -67,7 +70,7 @@ void add_light(std::vector<Setting>& table) {
 void add_materials(std::vector<Setting>& table) {
     table.push_back(text({"material", "", "material"}, AT(material), SettingKind::text, "NAME",
                          "what pixels wear that no assign rule names: a material of the job, a preset, merl:NAME, or a file: "
-                         "JSON or a measured table"));
+                         "JSON, a measured table, or glTF or MaterialX, where FILE#NAME chooses one of several"));
     table.push_back(materials_setting());
     table.push_back(assign_setting());
     table.push_back(pairs({"old_material", "", "old_materials"}, AT(old_materials), "NAME=OLD",
@@ -212,8 +215,10 @@ void add_output(std::vector<Setting>& table) {
                          "JSON report: what was found, done and how long it took"));
     table.push_back(boolean({"diagnostics", "output", "diagnostics"}, AT(output.diagnostics),
                             "adds layers burnish_validity, burnish_samples and, for the reference, burnish_error"));
+    table.push_back(boolean({"keep_layers", "output", "keep_layers"}, AT(output.keep_layers),
+                            "writes every layer of the frame through beside burnish's own, bit by bit as it is stored"));
     table.push_back(boolean({"skip_existing", "output", "skip_existing"}, AT(output.skip_existing),
-                            "leaves out frames whose output is newer than their input"));
+                            "leaves out frames whose output is whole, of the same job, and newer than all its inputs"));
     table.push_back(integer({"threads", "", "threads"}, AT(threads), {0, 1024}, "", "worker threads; 0: all cores"));
 }
 

@@ -1,5 +1,7 @@
 #include <burnish/job/write_frame.h>
 
+#include <burnish/job/job_hash.h>
+
 namespace burnish {
 namespace {
 
@@ -33,12 +35,14 @@ void FrameWriter::open(const Window& whole, const AovFrame& band, const std::vec
     AovFrame header;
     header.file = band.file, header.metadata = band.metadata;
     header.data_window = whole, header.display_window = band.display_window;
-    m_exr.emplace(m_task.output, header, layers, m_job.output.pixel_type);
+    const HeaderTexts attributes = m_hash.empty() ? HeaderTexts{} : HeaderTexts{{kJobHashAttribute, m_hash}};
+    m_exr.emplace(m_output.begin(m_task), header, layers, m_job.output.pixel_type, attributes);
     if (!m_task.preview.empty()) m_preview.emplace(m_task.preview, whole.width, whole.height, m_color.preview());
 }
 
 void FrameWriter::finish() {
     m_exr->finish();
+    m_output.finish(m_task);
     if (m_preview) m_preview->finish();
 }
 

@@ -1,6 +1,7 @@
 #include <burnish/base/error.h>
 #include <burnish/base/json_fields.h>
 #include <burnish/base/json_text.h>
+#include <burnish/material/import/import_material.h>
 #include <burnish/material/library.h>
 #include <burnish/material/measured/read_measured.h>
 #include <burnish/material/measured/table_files.h>
@@ -38,6 +39,7 @@ Material find_material(const std::string& name_or_file) {
     if (is_library_name(name_or_file)) return library_material(name_or_file);
     const std::filesystem::path file(name_or_file);
     std::error_code absent;
+    if (is_import_name(name_or_file)) return import_material(name_or_file);
     if (is_measured_name(name_or_file)) return table_material(read_measured(name_or_file), file.stem().string());
     if (file.extension() == ".json" || std::filesystem::is_regular_file(file, absent))
         return material_from_json(with_tables_in(read_json(name_or_file, "material"), file.parent_path()), file.stem().string(),
@@ -48,7 +50,8 @@ Material find_material(const std::string& name_or_file) {
                     "material: unknown name \"" + name_or_file + "\" (did you mean \"" + measured + "\"?)");
     std::vector<std::string_view> known;
     for (const Material& material : presets()) known.push_back(material.name);
-    known.insert(known.end(), {"merl:NAME of \"burnish models\"", "a path to a .json file or a measurement"});
+    known.insert(known.end(),
+                 {"merl:NAME of \"burnish models\"", "a path to a .json, .gltf, .glb or .mtlx file or a measurement"});
     fail_unknown("material", "name", name_or_file, known);
 }
 

@@ -21,7 +21,8 @@ Material material_from_json(const nlohmann::json& json, const std::string& name,
 nlohmann::json material_to_json(const Material& material);
 
 /// A material by what a user types: a preset's name, "merl:NAME" (measured_library.h), the path of a JSON file holding one material,
-/// whose tables are relative to its folder, or the path of a measurement (read_measured.h).
+/// whose tables are relative to its folder, a material of another program's file (import_material.h), or the path of a measurement
+/// (read_measured.h).
 Material find_material(const std::string& name_or_file);
 
 }  // namespace burnish

@@ -50,7 +50,8 @@ struct Material {
     std::string name;
     Color3f kd{0, 0, 0};  // diffuse reflectivity, used where burnish makes the diffuse part itself
     std::vector<LobeParameters> lobes;
-    bool kd_coupled = false;  // the diffuse part has only what the lobes leave, see diffuse_reflectance.h
+    bool kd_coupled = false;              // the diffuse part has only what the lobes leave, see diffuse_reflectance.h
+    std::vector<std::string> notes = {};  // what was left out of a material of another program
 };
 
 /// Slope widths of a roughness `alpha` and an artist's anisotropy a in [-1, 1], as Cycles' Anisotropic BSDF has them:

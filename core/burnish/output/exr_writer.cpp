@@ -1,5 +1,5 @@
-#include <burnish/base/error.h>
 #include <burnish/base/atomic_file.h>
+#include <burnish/base/error.h>
 #include <burnish/output/exr_pixels.h>
 #include <burnish/output/exr_writer.h>
 #include <burnish/output/output_spec.h>
@@ -28,8 +28,9 @@ struct ExrWriter::State {
     LayerFile output;
 };
 
-ExrWriter::ExrWriter(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type)
-    : m_state(new State{file, {file, output_spec(file, frame, layers, type)}}) {}
+ExrWriter::ExrWriter(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type,
+                     const HeaderTexts& attributes)
+    : m_state(new State{file, {file, output_spec(file, frame, layers, type, attributes)}}) {}
 
 ExrWriter::~ExrWriter() = default;
 
@@ -48,7 +49,8 @@ void write_exr(const std::string& file, const AovFrame& frame, const std::vector
     writer.finish();
 }
 
-void write_exr_parts(const std::string& file, const AovFrame& frame, const std::vector<OutputPart>& parts, PixelType type) {
+void write_exr_parts(const std::string& file, const AovFrame& frame, const std::vector<OutputPart>& parts, PixelType type,
+                     const HeaderTexts& attributes) {
     std::vector<OIIO::ImageSpec> specs;
     AovFrame header;
     header.file = frame.file, header.metadata = frame.metadata;
@@ -57,7 +59,7 @@ void write_exr_parts(const std::string& file, const AovFrame& frame, const std::
         header.data_window.width = part.layers.front().image->width;
         header.data_window.height = part.layers.front().image->height;
         check_sizes(file, header.data_window, part.layers);
-        specs.push_back(output_spec(file, header, part.layers, type));
+        specs.push_back(output_spec(file, header, part.layers, type, attributes));
         specs.back().attribute("oiio:subimagename", part.name);
     }
     LayerFile output(file, specs);

@@ -5,6 +5,7 @@
 #include <burnish/base/image.h>
 #include <burnish/input/frame.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,12 +20,16 @@ struct OutputLayer {
 
 enum class PixelType { half, float32 };
 
+/// Attributes of a header: name -> text.
+using HeaderTexts = std::map<std::string, std::string>;
+
 /// An EXR (ZIP) with a frame's windows and metadata (may be null), `Software` and a `burnish/history` line added.
 class ExrWriter {
 public:
     /// `layers` says which channels there will be. Their names have one dot at most and start with letters, so that every
-    /// package shows them unchanged. Makes the output directory when absent. Throws Error(write_failed | bad_argument).
-    ExrWriter(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type);
+    /// package shows them unchanged. `attributes`: of the header, by name. Makes the output directory when absent. Throws Error(write_failed | bad_argument).
+    ExrWriter(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers, PixelType type,
+              const HeaderTexts& attributes = {});
     /// Unless finished, nothing is left on disk and an older file is untouched.
     ~ExrWriter();
 
@@ -48,9 +53,10 @@ struct OutputPart {
     std::vector<OutputLayer> layers;
 };
 
-/// Several parts in one file, all with the frame's metadata and display window; their data windows begin where the frame's does.
-/// Channels of different parts may share names. Throws Error(write_failed | size_mismatch | bad_argument).
-void write_exr_parts(const std::string& file, const AovFrame& frame, const std::vector<OutputPart>& parts, PixelType type);
+/// Several parts in one file, all with the frame's metadata, `attributes` and the display window; their data windows begin where the
+/// frame's does. Channels of different parts may share names. Throws Error(write_failed | size_mismatch | bad_argument).
+void write_exr_parts(const std::string& file, const AovFrame& frame, const std::vector<OutputPart>& parts, PixelType type,
+                     const HeaderTexts& attributes = {});
 
 /// Writes any bytes just so: whole or not at all (reports, JSON). Throws Error(write_failed).
 void write_text(const std::string& file, const std::string& text);

@@ -37,6 +37,7 @@ bool is_stale(const std::string& name) {
                                           "tileheight",
                                           "BlenderMultiChannel",
                                           "preview",
+                                          "burnish:job",
                                           "thumbnail",
                                           "screenWindowWidthScale"};
     return std::any_of(kPrefixes.begin(), kPrefixes.end(), [&](const char* prefix) { return name.starts_with(prefix); }) ||
@@ -99,7 +100,7 @@ void name_channels(const std::string& file, const std::vector<OutputLayer>& laye
 }  // namespace
 
 OIIO::ImageSpec output_spec(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers,
-                            PixelType type) {
+                            PixelType type, const HeaderTexts& attributes) {
     int channels = 0;
     for (const OutputLayer& layer : layers) channels += static_cast<int>(layer.channels.size());
     if (channels == 0) throw Error(ErrorCode::bad_argument, file + ": there are no channels to write");
@@ -111,6 +112,7 @@ OIIO::ImageSpec output_spec(const std::string& file, const AovFrame& frame, cons
     name_channels(file, layers, spec);
     keep_attributes(frame, spec);
     add_history(frame, layers, spec);
+    for (const auto& [name, text] : attributes) spec.attribute(name, text);
     spec.attribute("compression", "zip");
     // OpenImageIO stamps the time of writing into files without a date; an empty one keeps same job, same bits.
     if (!spec.find_attribute("DateTime")) spec.attribute("DateTime", "");

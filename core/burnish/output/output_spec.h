@@ -11,6 +11,6 @@ namespace burnish {
 /// Throws Error(bad_argument) for channel names that compositing packages would change ("one dot at most, letters first")
 /// and for names given twice.
 OIIO::ImageSpec output_spec(const std::string& file, const AovFrame& frame, const std::vector<OutputLayer>& layers,
-                            PixelType type);
+                            PixelType type, const HeaderTexts& attributes = {});
 
 }  // namespace burnish

@@ -78,6 +78,7 @@ json report_to_json(const FrameReport& frame) {
                    {"warnings", frame.warnings},
                    {"saved", frame.saved}};
     if (frame.frame) result["frame"] = *frame.frame;
+    if (!frame.view.empty()) result["view"] = frame.view;
     if (!frame.error.empty()) result["error"] = frame.error;
     for (const StepReport& step : frame.steps) result["steps"].push_back(step_to_json(step));
     result["pixels"] = object(frame.pixels);
@@ -117,7 +118,8 @@ std::string summary(const PlanReport& plan) {
 }
 
 std::string summary(const FrameReport& frame) {
-    const std::string name = frame.output.empty() ? frame.input : frame.output;
+    const std::string file = frame.output.empty() ? frame.input : frame.output;
+    const std::string name = frame.view.empty() ? file : file + " (" + frame.view + ")";
     if (frame.status != FrameStatus::done) return name + "  " + status_name(frame.status) + ": " + frame.error;
     double total = 0, shading = 0;
     for (const auto& [stage, seconds] : frame.seconds) total += seconds, shading += stage == "shading" ? seconds : 0;

@@ -46,6 +46,7 @@ struct StepReport {
 
 struct FrameReport {
     std::optional<int> frame;  // number, where the job has a frame pattern
+    std::string view;          // "" = the first, or the only one
     FrameStatus status = FrameStatus::done;
     std::string input, output;  // files; "" for arrays
     std::string error;          // why it was skipped or failed: "E_READ_FAILED message"

@@ -1,14 +1,12 @@
 #include <burnish/scene/gltf_document.h>
 
 #include <burnish/base/error.h>
-#include <burnish/base/json_text.h>
+#include <burnish/material/import/gltf_file.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <cmath>
 
 namespace burnish {
 
@@ -22,26 +20,6 @@ constexpr double kMostElements = 1 << 28;  // vertices and corners of triangles
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem) {
     throw Error(ErrorCode::read_failed, file + ": " + problem);
-}
-
-/// The JSON of a file: all of a .gltf, the first chunk of a .glb.
-std::string json_text(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    uint32_t head[5] = {};  // "glTF", version, length, length of the first chunk, "JSON"
-    stream.read(reinterpret_cast<char*>(head), sizeof head);
-    if (std::memcmp(head, "glTF", 4) != 0) {
-        stream.clear(), stream.seekg(0);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-    stream.seekg(0, std::ios::end);
-    const auto size = static_cast<uint64_t>(stream.tellg());
-    if (head[1] != 2)
-        refuse(file, "expected glTF 2, found version " + std::to_string(head[1]) + "; export it again as glTF 2.0");
-    if (size < sizeof head || head[3] > size - sizeof head || std::memcmp(head + 4, "JSON", 4) != 0)
-        refuse(file, "the file is cut short or damaged; export it again");
-    std::string text(head[3], '\0');
-    stream.seekg(sizeof head), stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    return text;
 }
 
 const json& member(const json& object, const char* name) {
@@ -129,14 +107,6 @@ GltfMaterial material_of(const json& material) {
     return result;
 }
 
-json parsed(const std::string& file) {
-    try {
-        return parse_json(json_text(file), file);
-    } catch (const Error& error) {
-        throw Error(ErrorCode::read_failed, error.what());
-    }
-}
-
 }  // namespace
 
 std::optional<int> pass_index(double number) {
@@ -145,10 +115,7 @@ std::optional<int> pass_index(double number) {
 }
 
 std::vector<GltfMaterial> read_gltf_materials(const std::string& file) {
-    const json document = parsed(file);
-    const json& version = member(member(document, "asset"), "version");
-    if (!version.is_string() || !version.get<std::string>().starts_with("2."))
-        refuse(file, "expected glTF 2.0 with its asset.version; export it again as glTF 2.0");
+    const json document = read_gltf(file);
     check_nodes(file, list(document, "nodes"));
     check_scenes(file, list(document, "scenes"), list(document, "nodes").size());
     check_sizes(file, document);

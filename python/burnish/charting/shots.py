@@ -16,7 +16,7 @@ from .lights import Lights
 from .scene import WHOLE, Part, Scene, Source, file_stamps, parameters_of
 from .setting import Setting
 
-LEFT_OUT = ("output", "preview", "report", "pixel_type", "diagnostics", "skip_existing", "frames", "bad_frames", "threads",
+LEFT_OUT = ("output", "preview", "report", "pixel_type", "diagnostics", "keep_layers", "skip_existing", "frames", "bad_frames", "threads",
             "mode", "old_material", "fine_aovs", "filter", "filter_width", "edge_coverage", "tolerance", "max_samples")
 """Settings that say nothing about one frame's overlay, sample by sample."""
 OF_SETTING = {"estimator": "estimator", "samples": "samples", "density": "density", "safety": "safety", "env_suns": "suns"}

@@ -10,8 +10,8 @@ from .. import BadArgument, settings
 ALIASES = {"light": "lights"}
 
 
-def settings_of(words):
-    """Settings from words such as --env sky.exr --material gold --up z; repeatable ones add up."""
+def settings_of(words, command="chart"):
+    """Settings from words such as --env sky.exr --material gold --up z; repeatable ones add up. `command`: whose help tells more."""
     table = {setting["name"]: setting for setting in settings()}
     found, left = {}, list(words)
     while left:
@@ -20,7 +20,7 @@ def settings_of(words):
         name = ALIASES.get(flag[2:], flag[2:].replace("-", "_"))
         if name not in table:
             near = difflib.get_close_matches(name, table, 1)
-            hint = f", did you mean --{near[0].replace('_', '-')}?" if near else "; see burnish chart --help"
+            hint = f", did you mean --{near[0].replace('_', '-')}?" if near else f"; see burnish {command} --help"
             raise BadArgument(f"{word}: no such option{hint}")
         if "=" not in word:
             if not left:

@@ -157,7 +157,7 @@ Color3f l1_error(std::span<const Color3f> model, const TransferSamples& samples)
 
 std::vector<IncidentAlbedo> measured_albedo(std::span<const BrdfSample> samples, Side side) {
     const Pairs pairs(samples, side);
-    std::vector<Imath::V3d> sum(pairs.directions.size());
+    std::vector<Imath::V3d> sum(pairs.directions.size(), Imath::V3d(0));
     std::vector<double> solid_angle(pairs.directions.size());
     for (size_t i = 0; i < pairs.samples.size(); ++i) {
         const size_t incident = static_cast<size_t>(pairs.incident[i]);

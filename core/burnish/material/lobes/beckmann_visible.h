@@ -64,7 +64,8 @@ inline float sample_visible_slope(float cot, float u) {
 inline Vec3f sample_visible_normal(const BeckmannDistribution& normals, const Vec3f& wo, const Vec2f& u) {
     const float mx = normals.mx(), my = normals.my(), width = normals.projected_width(wo);
     const float along = sample_visible_slope(wo.z / width, u.x);
-    const float across = inverse_erf(std::clamp(2 * u.y - 1, -0.9999999f, 0.9999999f));
+    const float y = u.y > 0 ? u.y : 0.5f;  // low-discrepancy sets begin at the edge, where nothing is: the middle stands for it
+    const float across = inverse_erf(std::clamp(2 * y - 1, -0.9999999f, 0.9999999f));
     const float c = width > 0 ? mx * wo.x / width : 1, s = width > 0 ? my * wo.y / width : 0;
     const Vec3f m(-mx * (c * along - s * across), -my * (s * along + c * across), 1);
     return m / std::sqrt(m.length2());
