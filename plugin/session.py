@@ -2,8 +2,8 @@
 """A frame and its light, read once and composited again as its look changes. Knows burnish, but no bpy: it runs in a thread.
 
 The overlay is the sum over the materials. When one of them moves, it alone is shaded (the others without lobes), and takes the
-place of what it was: by a regular pattern without tables, as long as it moves (`shade`), and as it is set when
-it rests (`refine`).
+place of what it was: by a regular pattern without tables, once a pixel, as long as it moves (`shade`), and as it is set when it
+rests (`refine`).
 """
 
 import numpy as np
@@ -49,10 +49,10 @@ class Session:
         moved = look.moved(self._look)
         if look.light != self._look.light or len(moved) > 1:
             self._apart, self._light = None, self._read_light(look)
-            self._overlay, self._is_exact = self._composite(self._worn(look), _QUICK)["overlay"], False
+            self._overlay, self._is_exact = self._composite(self._worn(look), _QUICK, is_fine=False)["overlay"], False
         elif moved:
             self._take_apart(moved[0])
-            self._overlay, self._is_exact = self._rest + self.part(moved[0], look, _QUICK), False
+            self._overlay, self._is_exact = self._rest + self._quick_part(moved[0], look), False
         self._look = look
 
     def refine(self):
@@ -72,12 +72,9 @@ class Session:
         composite[:, :, :3] += overlay
         return overlay, composite
 
-    def part(self, name, look=None, settings=None):
-        """The overlay of one material: by its own rules, or among all of them where they compete for pixels."""
-        worn, kept = self._worn(look or self._look), (name, name + AS_RENDERED)
-        bare = {other: material if other in kept else _BARE for other, material in worn.items()}
-        rules = [rule for rule in self._still["assign"] if self._shares_pixels or rule["material"] == name]
-        return self._composite(bare, {**(settings or {}), "assign": rules})["overlay"]
+    def part(self, name):
+        """The overlay of one material."""
+        return self._composite(self._alone(name, self._look), self._rules(name, self._shares_pixels))["overlay"]
 
     def rendered(self):
         """What the renderer itself has in the overlay's place: specular radiance (height, width, 3)."""
@@ -85,12 +82,25 @@ class Session:
         whole, without = (self._composite(bare, {**_QUICK, "mode": mode})["beauty"][:, :, :3] for mode in ("add", "replace"))
         return whole - without
 
+    def _quick_part(self, name, look):
+        """Of the frame's own surfaces, though finer ones are there."""
+        return self._composite(self._alone(name, look), {**_QUICK, **self._rules(name, False)}, is_fine=False)["overlay"]
+
+    def _alone(self, name, look):
+        """Materials by name, all others without lobes."""
+        kept = (name, name + AS_RENDERED)
+        return {other: material if other in kept else _BARE for other, material in self._worn(look).items()}
+
+    def _rules(self, name, all_compete):
+        """Who wears what, where one material is looked at: its own pixels, or what others leave it of shared ones."""
+        return {"assign": [rule for rule in self._still["assign"] if all_compete or rule["material"] == name]}
+
     def _take_apart(self, name):
         """Keep what the other materials add; a target is reached by the frame as a whole, and leaves nothing to keep."""
         if self._apart == name:
             return
         if self._has_target():
-            self._rest = self._composite({**self._worn(self._look), name: _BARE}, _QUICK)["overlay"]
+            self._rest = self._composite({**self._worn(self._look), name: _BARE}, _QUICK, is_fine=False)["overlay"]
         else:
             self.refine()
             self._rest = self._overlay - self.part(name)
@@ -109,7 +119,7 @@ class Session:
         settings = {name: self._shot[name] for name in (*_LIGHT, "up") if name in self._shot}
         return self._burnish.Environment(settings.pop("env"), **{**settings, **lit(self._shot, look)})
 
-    def _composite(self, materials, settings=None, progress=None):
+    def _composite(self, materials, settings=None, is_fine=True, progress=None):
         """As it is set, or with other settings."""
-        return self._burnish.composite(self._frame, self._light, fine_aovs=self._fine, progress=progress, materials=materials,
-                                       **{**self._still, **(settings or {})})
+        return self._burnish.composite(self._frame, self._light, fine_aovs=self._fine if is_fine else None, progress=progress,
+                                       **{**self._still, **(settings or {}), "materials": materials})
