@@ -24,7 +24,7 @@ def composite(
     light: Path | Array | Environment | ImageBuf | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | ImageBuf | None = None,
+    fine_aovs: dict | Path | Frame | ImageBuf | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -43,7 +43,7 @@ def composite(
         settings `env` or `lights`, if there is one.
     materials : str or dict, optional
         What the frame wears: a preset or file, one material (a dict with "lobes"), or name -> material for `assign`.
-    fine_aovs : str or os.PathLike or dict, optional
+    fine_aovs : str or os.PathLike or dict or Frame, optional
         For anti-aliasing: the surfaces of the same frame (positions, normals, ids, ...) at a multiple of its width and
         height, as `aovs`; `aovs` is then read for the picture alone, and masks in `assign` have the size of these.
     assign : list or dict, optional
@@ -83,7 +83,7 @@ def refine(
     light: Path | Array | Environment | ImageBuf | None,
     materials: str | dict | None = None,
     *,
-    fine_aovs: dict | Path | ImageBuf | None = None,
+    fine_aovs: dict | Path | Frame | ImageBuf | None = None,
     assign: list | dict | None = None,
     camera: dict | Path | Sequence[float] | None = None,
     progress: Progress | None = None,
@@ -140,7 +140,7 @@ def _arguments(aovs, light, materials, fine_aovs, assign, camera, progress, sett
         settings["aovs"] = aovs
     if materials is not None:
         settings.update(one_material(materials, True))
-    fine = fine_aovs if isinstance(fine_aovs, dict) else None
+    fine = fine_aovs if isinstance(fine_aovs, (dict, _core.Frame)) else None
     if fine is None and fine_aovs is not None:
         settings["fine_aovs"] = fine_aovs
     masks = {name: to_array(mask, f"assign: {name}") for name, mask in assign.items()} if isinstance(assign, dict) else None

@@ -73,7 +73,7 @@ def local_bandwidth(
 def run(job: Any, settings: dict[str, Any], progress: Progress | None) -> dict[str, Any]: ...
 def composite(
     frame: dict[str, ArrayLike] | Frame | None,
-    fine: dict[str, ArrayLike] | None,
+    fine: dict[str, ArrayLike] | Frame | None,
     light: Any,
     masks: dict[str, ArrayLike] | None,
     settings: dict[str, Any],
@@ -90,7 +90,7 @@ class Refinement:
     def __init__(
         self,
         frame: dict[str, ArrayLike] | None,
-        fine: dict[str, ArrayLike] | None,
+        fine: dict[str, ArrayLike] | Frame | None,
         light: Any,
         masks: dict[str, ArrayLike] | None,
         settings: dict[str, Any],

@@ -122,9 +122,7 @@ uint32_t cryptomatte_id(std::string_view name) {
     h ^= scramble(tail) ^ static_cast<uint32_t>(name.size());
     h = (h ^ h >> 16) * 0x85ebca6bu;
     h = (h ^ h >> 13) * 0xc2b2ae35u;
-    h ^= h >> 16;
-    const uint32_t exponent = h >> 23 & 255;
-    return exponent == 0 || exponent == 255 ? h ^ 1u << 23 : h;
+    return cryptomatte_id_of_hash(h ^ h >> 16);
 }
 
 std::vector<Cryptomatte> decode_cryptomattes(const CryptomatteSource& source, std::vector<std::string>& warnings) {

@@ -19,6 +19,12 @@ namespace burnish {
 /// denormal, infinite or NaN.
 uint32_t cryptomatte_id(std::string_view name);
 
+/// The id that pixels show of a name with this hash. Blender's manifests list the hash itself.
+constexpr uint32_t cryptomatte_id_of_hash(uint32_t hash) {
+    const uint32_t exponent = hash >> 23 & 255;
+    return exponent == 0 || exponent == 255 ? hash ^ 1u << 23 : hash;
+}
+
 /// What a file holds, in terms that need no image library.
 struct CryptomatteSource {
     struct Attribute {

@@ -1,3 +1,4 @@
+#include <burnish/input/cryptomatte.h>
 #include <burnish/input/cryptomatte_manifest.h>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +21,7 @@ std::optional<uint32_t> id_of(const nlohmann::json& value) {
     uint32_t id = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id, 16);
     if (text.size() != 8 || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return id;
+    return cryptomatte_id_of_hash(id);
 }
 
 /// True for a plain path below the folder it is relative to.

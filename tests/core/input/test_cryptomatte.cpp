@@ -152,6 +152,15 @@ TEST(Cryptomatte, UsesTheManifestOfTheHeader) {
     EXPECT_EQ(matching_ids(matte, "*").size(), 2u);
 }
 
+TEST(Cryptomatte, TakesHashesOfAManifestForTheIdsThatPixelsShow) {
+    CryptomatteSource source = small_source();
+    source.attributes.push_back({"cryptomatte/abc/manifest", R"({"pr_glass":"005c9ec5","infinite":"7f800001"})"});
+    const Cryptomatte matte = decode(source).at(0);
+    EXPECT_EQ(matching_ids(matte, "pr_glass"), std::vector<uint32_t>{0x00dc9ec5});
+    EXPECT_EQ(cryptomatte_id("pr_glass"), 0x00dc9ec5u);
+    EXPECT_EQ(matching_ids(matte, "inf*"), std::vector<uint32_t>{0x7f000001});
+}
+
 TEST(Cryptomatte, SurvivesHostileManifests) {
     const std::string deep = std::string(2000000, '[');
     const std::string hostile[] = {"{",
@@ -183,12 +192,12 @@ TEST(Cryptomatte, SurvivesHostileManifests) {
 TEST(Cryptomatte, OpensManifestFilesOnlyBesideTheExr) {
     const Scratch scratch;
     std::filesystem::create_directory(scratch.path() / "shot");
-    std::ofstream(scratch.file("secret.json")) << R"({"ball":"00000001"})";
-    std::ofstream(scratch.file("shot/names.json")) << R"({"ball":"00000001"})";
+    std::ofstream(scratch.file("secret.json")) << R"({"ball":"01000001"})";
+    std::ofstream(scratch.file("shot/names.json")) << R"({"ball":"01000001"})";
     CryptomatteSource source = small_source();
     source.file = scratch.file("shot/small.exr");
     source.attributes.push_back({"cryptomatte/abc/manif_file", "names.json"});
-    EXPECT_EQ(decode(source).at(0).manifest.at("ball"), 1u);
+    EXPECT_EQ(decode(source).at(0).manifest.at("ball"), 0x01000001u);
     for (const std::string& name : {std::string("../secret.json"), scratch.file("secret.json"), std::string("absent.json"),
                                     std::string("."), std::string("a/../../secret.json")}) {
         source.attributes.back().value = name;
