@@ -1,4 +1,4 @@
-"""`burnish.sequence`: frame ranges in four dialects, runs here and in processes, what becomes of bad frames, and the command line."""
+"""`burnish.sequence`: runs here and in processes, what becomes of bad frames, and the command line."""
 
 import functools
 import json
@@ -10,56 +10,10 @@ import threading
 import time
 
 import burnish
-import numpy as np
 import pytest
 import scenes
-from burnish.sequence import farm, format_frames, parse_frames, pools, run_sequence, tasks
+from burnish.sequence import farm, pools, run_sequence, tasks
 from conftest import BUILD, PROGRAM
-
-OIIO_RANGES = ["1-10x3", "1-10y3", "10-1", "10-1x3", "1-10x-2", "3-3", "-5--1x2", "10-1y3", "10-1x-3", "1-10y-3", "1-4,8,20-22"]
-
-
-@pytest.mark.parametrize("text", OIIO_RANGES)
-def test_ranges_of_openimageio_are_what_oiiotool_makes_of_them(text):
-    told = subprocess.run(["oiiotool", "--frames", text, "--echo", "{FRAME_NUMBER}"], capture_output=True, text=True, check=True).stdout
-    assert parse_frames(text, "oiio") == [int(word) for word in told.split() if word.lstrip("-").isdigit()]
-
-
-@pytest.mark.parametrize("dialect, text, frames", [
-    ("openjd", "1-9:4", [1, 5, 9]),
-    ("fileseq", "1-9:4", [1, 5, 9, 4, 7, 3, 2, 6, 8]),
-    ("burnish", "1-9:4", [1, 5, 9]),
-    ("fileseq", "1-9x4", [1, 5, 9]),
-    ("fileseq", "1-9y4", [2, 3, 4, 6, 7, 8]),
-    ("fileseq", "5-1,3-7", [5, 4, 3, 2, 1, 6, 7]),
-    ("openjd", " 7 , 1 - 3 ", [1, 2, 3, 7]),
-    ("openjd", "9-1:-4", [1, 5, 9]),
-    ("openjd", "-3--1", [-3, -2, -1]),
-    ("openjd", "1-3,5,7-20:2", [1, 2, 3, 5, 7, 9, 11, 13, 15, 17, 19]),
-])
-def test_dialects_mean_what_their_programs_mean(dialect, text, frames):
-    assert parse_frames(text, dialect) == frames
-
-
-@pytest.mark.parametrize("dialect, text, part", [
-    ("openjd", "1-9x4", "1-24:2"), ("openjd", "9-1", "step"), ("openjd", "1-5,3", "overlaps"), ("openjd", "1-9:0", "step"),
-    ("fileseq", "1-9x0", "1 or more"), ("fileseq", "", "no frame"), ("fileseq", "1-9z2", "1-24y2"), ("oiio", "1-9:4", "1-24y2"),
-    ("oiio", "1-9999999", "million"), ("burnish", "9-1", "backwards"), ("nuke", "1", "fileseq"),
-])
-def test_what_is_no_range_is_told(dialect, text, part):
-    with pytest.raises(burnish.BadArgument, match=part):
-        parse_frames(text, dialect)
-
-
-@pytest.mark.parametrize("dialect", ["burnish", "openjd", "fileseq", "oiio"])
-def test_lists_come_back_from_text(dialect):
-    rng = np.random.default_rng(5)
-    for _ in range(200):
-        frames = list(dict.fromkeys(map(int, rng.integers(-6, 24, rng.integers(1, 20)))))
-        for order in (frames, sorted(frames)):
-            assert parse_frames(format_frames(order, dialect), dialect) == (sorted(order) if dialect == "openjd" else order)
-    assert format_frames(range(1, 201), dialect) == "1-200"
-
 
 @pytest.fixture
 def shot(tmp_path):
@@ -233,6 +187,22 @@ def test_light_and_tables_are_made_once_a_run(shot, monkeypatch):
     assert Counted.made == 1 + 5
 
 
+def test_a_frame_is_as_bad_as_its_worst_view(tmp_path):
+    there = tmp_path / "f.exr"
+    there.touch()
+
+    def entry(frame, status, error="", **more):
+        return {"frame": frame, "status": status, "input": str(there), "output": "o", "seconds": {"reading": 1.0}, "warnings": [status],
+                **({"error": error} if error else {}), **more}
+
+    entries = [entry(1, "done"), entry(1, "failed", "E_READ_FAILED cut off"), entry(2, "skipped"), entry(2, "done"),
+               entry(3, "failed", "E_READ_FAILED no file", input="absent.exr"), entry(3, "done")]
+    told = tasks.outcomes_of({"frames": entries})
+    assert [(each["frame"], each["status"], each["code"], each["seconds"]) for each in told] == [
+        (1, "failed", "E_READ_FAILED", 2), (2, "done", "", 2), (3, "missing", "E_READ_FAILED", 2)]
+    assert told[0]["message"] == "cut off" and told[0]["warnings"] == ["done", "failed"]
+
+
 def test_a_worker_of_another_version_is_refused(shot):
     with pytest.raises(burnish.BadArgument, match="install the same"):
         tasks.run_task({**tasks.make_task(shot.document, [1], None), "burnish": "0.0.0"})
@@ -249,6 +219,8 @@ def test_the_command_does_frames_and_tells(cli, shot, tmp_path):
     assert percents == sorted(percents) and percents[-1] == 100
     words = ["sequence", shot.aovs, "--env", shot.env, "--up", "z", "--material", "gold", "-o", tmp_path / "o.####.exr", "--frames", "1-3"]
     assert json.loads(cli(*words, "--json").out)["done"] == 3 and cli(*words, "-q").out == ""
+    beyond = cli(*words[:-1], "7-9", "--within", "1-6")
+    assert beyond.code == 0 and beyond.out == "0 of 0 frames done, 0.0 s\n"
     stopped = cli(*words[:-1], "3-5")
     assert stopped.code == 1 and stopped.err.splitlines()[-1].startswith("burnish: error: E_READ_FAILED frame=4 ")
 

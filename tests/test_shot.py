@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 import scenes
 from burnish import Shot
+from burnish.sequence import FrameOutcome
+from burnish.sequence.outputs import Outputs, hold
 from conftest import SOURCE
 
 MIRROR = {"type": "mirror", "file": "floor.####.exr", "plane": {"point": [0, 0, 0], "normal": [0, 0, 1]}}
@@ -126,3 +128,19 @@ def test_lights_of_a_frame_keep_their_names(shot):
     written = scenes.stacked(scenes.read_exr(shot.output.replace("o.####", "named.0002")), "R", "G", "B", "A")
     assert np.array_equal(named.composite(2)["beauty"], written)
     assert not np.array_equal(written, shot.composite(2)["beauty"])
+
+
+def test_views_have_files_of_their_own(shot, tmp_path):
+    for view, frames in (("left", (1, 2, 4)), ("r", (1, 2))):
+        for frame in frames:
+            os.link(tmp_path / f"f.{frame:04d}.exr", tmp_path / f"{view}.{frame:04d}.exr")
+    both = shot.with_(aovs=tmp_path / "%V.####.exr", output=tmp_path / "out.%V.####.exr")
+    assert both.frames() == ([1, 2, 4], [3]) and both.with_(aovs=tmp_path / "%v.####.exr", view="right").frames() == ([1, 2], [])
+    assert np.array_equal(both.composite(2)["beauty"], shot.composite(2)["beauty"])
+    outputs = Outputs(both.with_(view="all"))
+    assert [path.name for path in outputs.of(3)] == ["out.left.0003.exr", "out.right.0003.exr"]
+    assert [path.name for path in Outputs(both.with_(view="right")).of(3)] == ["out.right.0003.exr"]
+    for view in ("left", "right"):
+        (tmp_path / f"out.{view}.0002.exr").write_text(view)
+    hold([FrameOutcome(2, "done"), FrameOutcome(3, "missing")], outputs)
+    assert [(tmp_path / f"out.{view}.0003.exr").read_text() for view in ("left", "right")] == ["left", "right"]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _core
 from ._atomic import write_text
-from ._shot_documents import by_name, settings_of_frame, spelled_out, with_absolute_materials
+from ._shot_documents import by_name, file_of_view, settings_of_frame, spelled_out, with_absolute_materials
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -156,7 +156,7 @@ class Shot:
         BadArgument
             `aovs` names one file, or `frames` is no range.
         """
-        found = _core.frames_on_disk(self.aovs)
+        found = _core.frames_on_disk(file_of_view(self.aovs, self.view))
         if "frames" not in self._document:
             return Frames(found, sorted(set(range(found[0], found[-1])) - set(found)) if found else [])
         asked = _core.parse_frames(self._document["frames"])

@@ -9,6 +9,8 @@ from . import _core
 from ._compositing import one_material, placed_camera
 from .errors import BadArgument
 
+FILE_VIEWS = ("left", "right")  # of frames whose names hold %V, or %v for l and r
+
 
 def spelled_out(settings: dict[str, Any], is_new: bool) -> dict[str, Any]:
     """Settings with the short forms of `materials` and `camera` as the core takes them."""
@@ -44,6 +46,9 @@ def settings_of_frame(document: dict[str, Any], frame: int | None) -> dict[str, 
     lights = {name: {"type": "environment", **light} for name, light in document.get("lights", {}).items()}
     far = {setting["name"] for setting in _core.settings() if setting["section"] == "lights"}
     settings = {name: value for name, value in values.items() if name not in far} | ({"lights": lights} if lights else {})
+    for name in {"aovs", "fine_aovs", "camera"} & settings.keys():
+        if isinstance(settings[name], str):
+            settings[name] = file_of_view(settings[name], settings.get("view", ""))
     pattern = settings.get("aovs", "")
     if frame is None and _core.has_frame_token(pattern):
         raise BadArgument(f"frame: '{pattern}' names many frames; say which number")
@@ -53,6 +58,12 @@ def settings_of_frame(document: dict[str, Any], frame: int | None) -> dict[str, 
         return settings
     return {name: _of_frame(value, frame) if name in ("aovs", "fine_aovs", "camera", "lights") else value
             for name, value in settings.items()}
+
+
+def file_of_view(pattern: str, view: str) -> str:
+    """The pattern with its view's name, where it has a place for one; of all views the first that files are named for."""
+    name = view if view not in ("", "all") else FILE_VIEWS[0]
+    return pattern.replace("%V", name).replace("%v", name[0])
 
 
 def _of_frame(value: Any, frame: int) -> Any:

@@ -4,10 +4,12 @@
 #include <burnish/input/whole_exr.h>
 #include <burnish/job/job_hash.h>
 #include <burnish/job/settings.h>
+#include <burnish/light/environment_picture.h>
 #include <burnish/material/measured/table_files.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace burnish {
 namespace fs = std::filesystem;
@@ -16,7 +18,8 @@ namespace {
 /// Every text of a document: which of them are files shows when they are looked at.
 void gather_texts(const nlohmann::json& value, std::vector<std::string>& texts) {
     if (value.is_string()) {
-        const std::string& text = texts.emplace_back(value.get<std::string>());
+        const std::string text = value.get<std::string>();
+        std::ranges::move(picture_files(text), std::back_inserter(texts));
         texts.push_back(text.substr(0, text.rfind('#')));  // "car.gltf#paint"
     }
     for (const nlohmann::json& item : value.is_structured() ? value : nlohmann::json::array()) gather_texts(item, texts);

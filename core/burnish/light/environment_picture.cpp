@@ -112,6 +112,11 @@ EnvironmentConvention resolved(EnvironmentConvention convention, UpAxis up, Envm
 
 std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
+std::vector<std::string> picture_files(const std::string& name) {
+    const auto six = six_files(name);
+    return six ? std::vector<std::string>(six->begin(), six->end()) : std::vector{name};
+}
+
 EnvironmentPicture read_environment_picture(const std::string& file, PictureLayer layer, const Conversion& convert) {
     if (const auto files = six_files(file)) return read_six(*files, layer, convert);
     EnvironmentPicture given;

@@ -26,6 +26,9 @@ struct EnvironmentPicture {
 /// "512 x 512"
 std::string size_text(int width, int height);
 
+/// The files that a name stands for: itself, or those of six faces, see Environment::load.
+std::vector<std::string> picture_files(const std::string& name);
+
 /// Reads a file or six of them, see Environment::load. Colour is finite, >= 0 and converted; alpha is three times the same, in
 /// [0, 1]; distances are as the file has them. Throws what read_picture does.
 EnvironmentPicture read_environment_picture(const std::string& file, PictureLayer layer,

@@ -14,12 +14,11 @@ from ..charting.words import settings_of
 from ..errors import BadArgument, Error, LostConnection, ReadFailed
 from .frame_ranges import parse_frames
 from .progress_display import FORMATS, ProgressDisplay
+from .report import SequenceReport
 from .run_sequence import run
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
-
-    from .report import SequenceReport
 
 DESCRIPTION = """Composites the frames of a shot: a shot file, or an EXR pattern (shot.####.exr), with the options of burnish composite
 (--env, --material, --samples, ...). In this process, in several, or on the workers of a dask scheduler, which have burnish and see the same
@@ -77,6 +76,8 @@ def carry_out(options: argparse.Namespace, more: list[str], display: ProgressDis
     if options.within:
         inside = set(parse_frames(options.within, options.dialect))
         frames = [frame for frame in frames if frame in inside]
+        if not frames:
+            return SequenceReport([], 0, 0, 0)
     with farm_at(options.scheduler) as client:
         return run(shot, frames, client=client, processes=options.processes, chunk=options.chunk, skip_existing=not options.redo,
                    bad_frames=options.bad_frames, retries=options.retries, timeout=options.timeout, progress=display)

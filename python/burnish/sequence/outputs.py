@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from .. import _core
 from .._atomic import replaced
+from .._shot_documents import FILE_VIEWS, file_of_view
 from ..errors import BadArgument
 
 if TYPE_CHECKING:
@@ -28,13 +29,15 @@ class Outputs:
         if not shot.output:
             raise BadArgument("output: none; name the EXRs to write, such as out.####.exr (shot file: output.file)")
         self.patterns = {name: getattr(shot, name) for name in ("output", "preview") if getattr(shot, name)}
+        self.views = FILE_VIEWS if shot.view in ("", "all") else (shot.view,)
         for name, pattern in self.patterns.items():
             if not _core.has_frame_token(pattern):
                 raise BadArgument(f"{name}: all frames would be written to '{pattern}'; put #### where the number goes")
 
     def of(self, frame: int) -> list[pathlib.Path]:
         """Files of a frame."""
-        return [pathlib.Path(_core.frame_file(pattern, frame)) for pattern in self.patterns.values()]
+        files = (file_of_view(pattern, view) for pattern in self.patterns.values() for view in self.views)
+        return list(dict.fromkeys(pathlib.Path(_core.frame_file(file, frame)) for file in files))
 
     def sweep(self, frames: list[int]) -> None:
         """Remove hidden files that workers left which were killed while they wrote."""
@@ -57,6 +60,8 @@ def hold(outcomes: list[FrameOutcome], outputs: Outputs) -> None:
             continue
         held = max((frame for frame in there if frame < outcome.frame), default=there[0])
         for source, target in zip(outputs.of(held), outputs.of(outcome.frame)):
+            if not source.exists():  # a view that the frames do not have
+                continue
             with replaced(target) as hidden:
                 shutil.copyfile(source, hidden)
                 os.utime(hidden, (0, 0))

@@ -109,7 +109,8 @@ def run(
         farm.run(size)
     finally:
         pool.stop(name)
-        outputs.sweep(numbers)
+        if client is None or farm.open == 0:  # else workers may still write
+            outputs.sweep(numbers)
     if bad_frames == "hold":
         hold(list(farm.outcomes.values()), outputs)
     report = SequenceReport(list(farm.outcomes.values()), time.monotonic() - begin, pool.workers, size)

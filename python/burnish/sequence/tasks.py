@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     Outcome = dict[str, Any]
 
 TRANSIENT = ("E_READ_FAILED", "E_WRITE_FAILED", "E_TIMEOUT", "E_LOST_WORKER")
+WORST_FIRST = ("failed", "missing", "done", "skipped")
 OF_THE_JOB = (BadArgument, ColorSpaceError, Cancelled)  # whatever the frame, they would come again
 
 
@@ -45,7 +46,7 @@ def run_task(task: Task, progress: Progress | None = None) -> list[Outcome]:
     clock = _Clock(task, progress)
     try:
         with KEPT.runner(task) as runner:
-            return [_outcome(entry) for entry in clock.timed(runner, ",".join(map(str, task["frames"])))["frames"]]
+            return outcomes_of(clock.timed(runner, ",".join(map(str, task["frames"]))))
     except OF_THE_JOB:
         raise
     except Exception as error:
@@ -62,8 +63,20 @@ def failure(frame: int, code: str, message: str) -> Outcome:
     return {"frame": frame, "status": "failed", "code": code, "message": message}
 
 
+def outcomes_of(report: dict[str, Any]) -> list[Outcome]:
+    """What became of each frame, of the core's report. A frame with several entries, its views, is as bad as the worst of them."""
+    outcomes: dict[int, Outcome] = {}
+    for entry in report["frames"]:
+        new = _outcome(entry)
+        known = outcomes.setdefault(new["frame"], new)
+        if known is not new:
+            worst = min(known, new, key=lambda outcome: WORST_FIRST.index(outcome["status"]))
+            known.update({key: worst[key] for key in ("status", "code", "message")}, seconds=known["seconds"] + new["seconds"],
+                         warnings=known["warnings"] + new["warnings"])
+    return list(outcomes.values())
+
+
 def _outcome(entry: dict[str, Any]) -> Outcome:
-    """What became of a frame, of its entry in the core's report."""
     code, _, message = entry.get("error", "").partition(" ")
     is_missing = entry["status"] == "failed" and not os.path.exists(entry["input"])
     return {"frame": entry["frame"], "status": "missing" if is_missing else entry["status"], "code": code, "message": message,
