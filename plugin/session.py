@@ -29,11 +29,12 @@ class Session:
         frame = {name: value for name, value in shot.items() if name not in (*_LIGHT, "up", "lights", "fine_aovs")}
         self._frame = self._burnish.Frame(**frame)
         self._fine = self._burnish.Frame(**{**frame, "aovs": shot["fine_aovs"]}) if "fine_aovs" in shot else None
-        self._light = self._read_light(look)
+        self._light = self._read_light()
         self._shares_pixels = is_filtered and self._fine is None
         self._still = {name: value for name, value in shot.items() if name not in (*_LIGHT, *_FRAME, "materials")}
         self._apart, self._rest = None, None  # the material that moved last, and the overlay of all others
         self._is_exact = True
+        self._light = self._lit(look)
         layers = self._composite(self._worn(look), progress=progress)
         self.report, self.covered = layers["report"], layers["validity"] == 0
         self._overlay, self._base = layers["overlay"], layers["beauty"]
@@ -48,7 +49,7 @@ class Session:
         """Bring the overlay up to a look, quickly."""
         moved = look.moved(self._look)
         if look.light != self._look.light or len(moved) > 1:
-            self._apart, self._light = None, self._read_light(look)
+            self._apart, self._light = None, self._lit(look)
             self._overlay, self._is_exact = self._composite(self._worn(look), _QUICK, is_fine=False)["overlay"], False
         elif moved:
             self._take_apart(moved[0])
@@ -113,11 +114,15 @@ class Session:
         own = self._shot["materials"]
         return {**own, **{name: adjusted(own[name], sliders) for name, sliders in look.sliders.items()}}
 
-    def _read_light(self, look):
+    def _read_light(self):
         if "env" not in self._shot:
             return None
         settings = {name: self._shot[name] for name in (*_LIGHT, "up") if name in self._shot}
-        return self._burnish.Environment(settings.pop("env"), **{**settings, **lit(self._shot, look)})
+        return self._burnish.Environment(settings.pop("env"), **settings)
+
+    def _lit(self, look):
+        """The light as a look turns and weighs it; its picture is shared."""
+        return self._light and self._burnish.Environment(self._light, **lit(self._shot, look))
 
     def _composite(self, materials, settings=None, is_fine=True, progress=None):
         """As it is set, or with other settings."""

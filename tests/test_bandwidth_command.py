@@ -6,7 +6,6 @@ import numpy as np
 import OpenImageIO as oiio
 import pytest
 import scenes
-from conftest import SOURCE
 
 LAYERS = {"bandwidth.X": np.fmax, "level.X": np.fmin, "samples.X": np.fmax, "curvature.X": np.fmax, "nu_a.X": np.fmax}
 COLORS = [(255, 255, 255), (255, 230, 51), (255, 140, 26), (217, 38, 26), (191, 38, 153), (115, 38, 179), (38, 64, 204), (20, 26, 102)]
@@ -142,13 +141,6 @@ def test_wrong_values_leave_nothing_behind(cli, job, tmp_path, words, named):
     result = cli(*job, *words)
     assert result.code in (1, 2) and named in result.error[1]
     assert list((tmp_path / "out").iterdir()) == []
-
-
-def test_the_readme_s_line_runs(cli, job, tmp_path):
-    line, = [text for text in (SOURCE / "README.md").read_text().splitlines() if text.startswith("burnish bandwidth ")]
-    files = {"shot.exr": job[1], "studio.hdr": job[3], "bandwidth.exr": tmp_path / "b.exr", "levels.png": tmp_path / "l.png"}
-    assert cli(*[files.get(word, word) for word in line.split()[1:]]).code == 0
-    assert (tmp_path / "b.exr").exists() and (tmp_path / "l.png").exists()
 
 
 def test_twelve_objects_of_cycles(cli, data, tmp_path):

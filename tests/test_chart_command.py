@@ -1,18 +1,15 @@
-"""`burnish chart` as a command: what cannot be used, the stability suite, the README's lines, every layout of an installation."""
+"""`burnish chart` as a command: what cannot be used, the stability suite, every layout of an installation."""
 
 import json
 import os
-import re
-import shlex
 import subprocess
 import sys
 
 import burnish.chart
 import numpy as np
 import pytest
-from burnish.charting import words
 from burnish.stability.case import CASES, Outcome, case
-from conftest import BUILD, PROGRAM, SOURCE
+from conftest import BUILD
 
 
 @pytest.mark.parametrize("arguments, code, name, part", [
@@ -73,21 +70,6 @@ def test_a_case_that_does_not_hold_is_shown_and_fails_the_run(two_cases, tmp_pat
     page = (tmp_path / "stability.html").read_text()
     assert page.count("data:image/png") == 2 and "at most 2" in page and "a &lt;grey&gt; square" in page and "Whether 3 is 2." in page
     assert burnish.chart.main(["--stability", "-q", "--cases", "test-holds", "-o", str(tmp_path)]) == 0
-
-
-def test_the_commands_of_the_readme_run(tmp_path):
-    subprocess.run([PROGRAM, "demo", "-o", tmp_path, "--width", "64", "--height", "36"], check=True, capture_output=True)
-    commands = re.findall(r"^burnish (chart .*)$", (SOURCE / "README.md").read_text(), re.MULTILINE)
-    commands = [shlex.split(command.replace("$demo", str(tmp_path)), comments=True) for command in commands]
-    quick = [command for command in commands if "--quick" in command and "--materials" in command]
-    assert len(quick) == 2
-    for command in quick:
-        done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, cwd=tmp_path, timeout=120)
-        assert done.returncode == 0, done.stderr
-    assert {path.name for path in tmp_path.rglob("*.*")} >= {"estimators.csv", "estimators.png", "report.html", "rows.csv", "rows.json"}
-    line = burnish.chart.parser()
-    left = [line.parse_known_args(command[1:])[1] for command in commands]
-    assert [words.settings_of(more) for more in left if more] == [{"material": "gold"}]
 
 
 def test_an_installed_burnish_finds_it(tmp_path):

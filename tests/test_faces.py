@@ -36,6 +36,11 @@ def test_command_line_and_python_write_the_same_bytes(shot, tmp_path, cli):
     assert (tmp_path / "out.exr").read_bytes() == (tmp_path / "python.exr").read_bytes()
 
 
+def without_hash(file):
+    """A file's bytes but for the hash of the job, in which a material has its name."""
+    return re.sub(rb"[0-9a-f]{64}", b"", file.read_bytes(), count=1)
+
+
 def test_flags_and_shot_file_are_the_same_job(shot, tmp_path, cli):
     assert cli("composite", tmp_path / "shot.json").code == 0
     material = tmp_path / "brass.json"
@@ -43,7 +48,7 @@ def test_flags_and_shot_file_are_the_same_job(shot, tmp_path, cli):
     flags = ["--camera", json.dumps(shot["camera"]), "--env", tmp_path / "sky.exr", "--up", "z", "--env-rotate", "30",
              "--assign", f"{material}=index:1", "--samples", "7", "--pixel-type", "float", "--diagnostics"]
     assert cli("composite", tmp_path / "beauty.exr", *flags, "-o", tmp_path / "flags.exr").code == 0
-    assert (tmp_path / "out.exr").read_bytes() == (tmp_path / "flags.exr").read_bytes()
+    assert without_hash(tmp_path / "out.exr") == without_hash(tmp_path / "flags.exr")
 
 
 def test_flags_add_to_the_rules_of_a_shot_file(shot, tmp_path, cli):

@@ -171,6 +171,15 @@ def test_an_environments_samples_follow_its_density():
     assert np.allclose((light.radiance(d) / pdf[:, None]).mean(0), expected, rtol=0.02)
 
 
+def test_a_light_that_is_there_is_turned_and_weighed_without_its_file():
+    picture, changed = scenes.gradient_sky(), {"env_rotate": 75, "env_scale": 2, "env_tint": [1, 0.5, 2]}
+    light = burnish.Environment(picture, env_rotate=20, env_flip=True)
+    turned, anew = burnish.Environment(light, **changed), burnish.Environment(picture, env_flip=True, **changed)
+    assert np.array_equal(turned.world_to_light, anew.world_to_light) and turned.gain == anew.gain
+    with pytest.raises(burnish.BadArgument, match="read its file again"):
+        burnish.Environment(light, env_face_size=64)
+
+
 def test_the_coarsest_level_is_the_mean_of_all_light():
     light = burnish.Environment(scenes.gradient_sky())
     everywhere = np.random.default_rng(4).normal(size=(400000, 3))

@@ -61,6 +61,12 @@ void bind_light(py::module_& module) {
     py::class_<Environment, std::shared_ptr<Environment>>(module, "Environment", docs::Environment)
         .def(py::init([](const py::object& source, const py::kwargs& settings) {
                  Job job;
+                 if (py::isinstance<Environment>(source)) {
+                     const auto& light = source.cast<const Environment&>();
+                     job.light = light.settings();
+                     set_settings(job, to_json(settings), "");
+                     return std::make_shared<Environment>(light.relit(job.light));
+                 }
                  set_settings(job, to_json(settings), "");
                  return std::make_shared<Environment>(*light_from_python(job, source, Renderer::unknown));
              }),

@@ -11,7 +11,8 @@ Directions are in the light's own axes; turn a world direction w with ``w @ worl
 Parameters
 ----------
 source : str or os.PathLike or ndarray or Environment
-    Environment map: a file, or a picture of shape (height, width, 3), lat-long or a layout of cube faces.
+    Environment map: a file, or a picture of shape (height, width, 3), lat-long or a layout of cube faces. Of one that is
+    there already: the same light turned, flipped, scaled or tinted otherwise, at no cost.
 **settings
     Settings that start with env, and up.
 

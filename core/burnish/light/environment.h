@@ -48,6 +48,12 @@ public:
     /// From a picture that was read, see environment_picture.h.
     static Environment from_picture(EnvironmentPicture picture, const EnvironmentSettings& settings, const std::string& name);
 
+    /// The same light turned, flipped, scaled or tinted otherwise, at no cost: everything made from the picture is shared. Throws
+    /// Error(bad_argument) where `settings` differ from this light's in anything else.
+    Environment relit(const EnvironmentSettings& settings) const;
+    /// As it was made, nothing left automatic but face size and suns.
+    const EnvironmentSettings& settings() const { return m_settings; }
+
     /// Unfiltered radiance from unit direction d in light axes: bilinear in the picture as given; scale and tint apart.
     Color3f radiance(const Vec3f& d) const;
 
@@ -80,6 +86,8 @@ private:
     std::shared_ptr<const Source> m_source;
     std::shared_ptr<Filtered> m_filtered;
     std::vector<BrightDisc> m_discs;
+    EnvironmentSettings m_settings;
+    bool m_is_cube = false;  // the picture
     Matrix33f m_world_to_light;
     Color3f m_gain{1, 1, 1};
     int m_suggested_face_size = 0;

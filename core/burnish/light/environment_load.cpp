@@ -1,10 +1,12 @@
 // From a file or an image to an Environment: suns, cube faces, notes.
 #include <burnish/base/error.h>
+#include <burnish/light/environment_orientation.h>
 #include <burnish/light/environment_picture.h>
 #include <burnish/light/environment_source.h>
 #include <burnish/light/filter/cube_resample.h>
 
 #include <bit>
+#include <tuple>
 
 namespace burnish {
 namespace {
@@ -52,6 +54,8 @@ Environment Environment::from_picture(EnvironmentPicture given, const Environmen
     Faces whole = as_given || !given.faces ? nullptr : std::make_shared<const std::array<Image, 6>>(std::move(*given.faces));
     light.m_source = std::make_shared<Source>(std::move(given.latlong), as_given ? filtered : std::move(whole));
     light.m_filtered = std::make_shared<Filtered>(std::move(filtered), settings.kernel);
+    light.m_settings = settings, light.m_is_cube = given.faces.has_value();
+    light.m_settings.convention = orientation.convention, light.m_settings.up = orientation.up;
     light.m_world_to_light = orientation.world_to_light;
     light.m_gain = settings.tint * settings.scale;
     light.m_notes.push_back(name + ": " + given.description + ", " +
@@ -60,6 +64,20 @@ Environment Environment::from_picture(EnvironmentPicture given, const Environmen
                             size_text(face, face));
     for (const std::string& sun : suns.notes()) light.m_notes.push_back(name + ": " + sun);
     light.m_warnings = std::move(given.warnings);
+    return light;
+}
+
+Environment Environment::relit(const EnvironmentSettings& settings) const {
+    check_settings(settings, "light");
+    const auto fixed = [](const EnvironmentSettings& s) { return std::tie(s.convention, s.up, s.face_size, s.kernel, s.suns); };
+    if (fixed(settings) != fixed(m_settings))
+        throw Error(ErrorCode::bad_argument,
+                    "light: is made already; rotation, flip, scale and tint can change, for anything else read its file again");
+    Environment light = *this;
+    light.m_settings = settings;
+    light.m_world_to_light =
+        world_to_light_matrix(settings.convention, settings.up, settings.rotate_deg, settings.flip, m_is_cube);
+    light.m_gain = settings.tint * settings.scale;
     return light;
 }
 
