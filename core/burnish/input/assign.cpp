@@ -80,9 +80,9 @@ struct Selector {
     NamedObjects objects;
     std::vector<std::pair<const Image*, float>> indices;  // layers, and the index each must show
 
-    /// Share of each pixel from `first` on.
-    void shares(size_t first, std::vector<float>& share) const {
-        std::fill(share.begin(), share.end(), 1.0f);
+    /// Share of each pixel from `first` on, where anything is left of it.
+    void shares(size_t first, const std::vector<float>& left, std::vector<float>& share) const {
+        std::ranges::transform(left, share.begin(), [](float rest) { return rest > 0 ? 1.0f : 0.0f; });
         for (const auto& [layer, wanted] : indices) {
             const float* index = layer->at(first);
             for (size_t i = 0; i < share.size(); ++i) share[i] = std::fabs(index[i] - wanted) < 0.5f ? share[i] : 0.0f;
@@ -124,7 +124,7 @@ void assign_row(const std::vector<Selector>& selectors, size_t first, RowShares&
     float *left = row.left.data(), *most = row.most.data();
     int32_t* rule = row.rule.data();
     for (size_t r = selectors.size(); r-- > 0;) {
-        selectors[r].shares(first, row.share);
+        selectors[r].shares(first, row.left, row.share);
         for (size_t i = 0; i < count; ++i) {
             const float taken = std::min(row.share[i], left[i]);
             left[i] -= taken;

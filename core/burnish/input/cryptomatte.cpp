@@ -178,8 +178,8 @@ float cryptomatte_coverage(const Cryptomatte& cryptomatte, const std::vector<uin
     float sum = 0;
     for (const Image& rank : cryptomatte.ranks) {
         const float* entry = rank.at(pixel);
-        const bool named = std::binary_search(ids.begin(), ids.end(), std::bit_cast<uint32_t>(entry[0]));
-        if (named && entry[1] > 0) sum += entry[1];
+        if (!(entry[1] > 0)) break;  // largest coverage first
+        if (std::binary_search(ids.begin(), ids.end(), std::bit_cast<uint32_t>(entry[0]))) sum += entry[1];
     }
     return std::min(sum, 1.0f);
 }
