@@ -75,14 +75,15 @@ def start_cost(shot):
     return seconds[0] - frame, frame
 
 
-def rows(shot, workers, chunk):
-    """Every way to run the shot."""
+def rows(shot, workers, chunk, is_brief):
+    """Every way to run the shot; of a brief run the first and the last."""
     from distributed import Client, LocalCluster
 
     cores = len(os.sched_getaffinity(0))
     yield measured("one process, one thread", shot.with_(threads=1), 1, chunk=len(shot.frames().numbers))
-    yield measured("one process, all cores", shot, cores, chunk=len(shot.frames().numbers))
-    yield measured(f"{workers} processes", shot.with_(threads=1), min(workers, cores), processes=workers, chunk=chunk)
+    if not is_brief:
+        yield measured("one process, all cores", shot, cores, chunk=len(shot.frames().numbers))
+        yield measured(f"{workers} processes", shot.with_(threads=1), min(workers, cores), processes=workers, chunk=chunk)
     with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
         yield measured(f"{workers} dask workers", shot, min(workers, cores), client=client, chunk=chunk)
 
@@ -94,6 +95,7 @@ def main():
     words.add_argument("--workers", type=int, default=4)
     words.add_argument("--width", type=int, default=1920, help="of a frame; 16:9")
     words.add_argument("--chunk", type=int, help="frames a task [by frames and workers]")
+    words.add_argument("--brief", action="store_true", help="only one process and dask")
     options = words.parse_args()
     with tempfile.TemporaryDirectory(prefix="burnish-farm-") as folder:
         shot = make_shot(pathlib.Path(folder), options.frames, options.width)
@@ -102,7 +104,7 @@ def main():
               f"{start:.2f} s, as much as {start / frame:.1f} frames", flush=True)
         table, first = csv.writer(sys.stdout), None
         table.writerow(["way", "frames", "chunk", "seconds", "seconds_a_frame", "speed_up", "efficiency", "cpu_seconds", "cpu_overhead", "same_bits"])
-        for row in rows(shot, options.workers, options.chunk):
+        for row in rows(shot, options.workers, options.chunk, options.brief):
             first = first or row
             gain = first["seconds"] / row["seconds"]
             table.writerow([row["way"], row["frames"], row["chunk"], f"{row['seconds']:.1f}", f"{row['seconds'] / row['frames']:.3f}",
