@@ -28,6 +28,7 @@ def main() -> None:
                 say(outcomes=run_task(json.loads(line), _telling(say)))
             except Exception as error:
                 say(code=getattr(error, "code", "E_INTERNAL"), message=str(error))
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # nothing is left to interrupt but Python's own end, which would complain
 
 
 def _telling(say):
