@@ -45,6 +45,8 @@
 #include <burnish/frequency/local_bandwidth.h>
 #include <burnish/frequency/operators.h>
 
+#include <burnish/factor/factors.h>
+
 #include <burnish/shading/dense.h>
 #include <burnish/shading/sparse.h>
 
