@@ -59,7 +59,8 @@ TEST_P(EveryMapping, CoversItsDirectionsOnce) {
         moment += map.solid_angle(texel) * std::max(map.direction(texel).z, 0.0f);
     }
     const double all = (map.is_whole_sphere() ? 4 : 2) * std::numbers::pi;
-    if (GetParam() != Mapping::hemispherical) EXPECT_NEAR(sum / all, 1, 0.01);  // its Jacobian has no end at the horizon
+    const bool ends = GetParam() != Mapping::hemispherical;  // its Jacobian has no end at the horizon
+    EXPECT_TRUE(!ends || std::fabs(sum / all - 1) < 0.01) << sum / all;
     EXPECT_NEAR(moment / std::numbers::pi, 1, 0.01);
 }
 
