@@ -21,7 +21,7 @@ namespace burnish {
 enum class ViewWeight { uniform, projected };
 
 struct LightingSampling {
-    int size = 24;  // texels a side of the two discs that normals and views are taken from: 24 makes 400 000 pairs
+    int size = 26;  // texels a side of the two discs that normals and views are taken from: 26 makes 400 000 pairs
     ViewWeight weight = ViewWeight::projected;
     EstimatorSettings estimator;
 };
