@@ -21,8 +21,7 @@ class BURNISH_PT_render(bpy.types.Panel):
     def draw(self, context):
         """From top to bottom as one works."""
         layout, scene = self.layout, context.scene
-        if not package.load():
-            preferences.draw_failure(layout)
+        if preferences.draws_failure(layout):
             return
         for problem in checks.problems(scene):
             row = layout.row()
@@ -122,8 +121,7 @@ class _Live:
     def draw(self, context):
         """Light, material, whole overlay, comparison."""
         layout, scene = self.layout, context.scene
-        if not package.load():
-            preferences.draw_failure(layout)
+        if preferences.draws_failure(layout):
             return
         own, group = scene.burnish, scene.burnish.settings
         row = layout.row(align=True)

@@ -6,13 +6,16 @@ import bpy
 from . import package
 
 
-def draw_failure(layout):
-    """In plain words, what is missing."""
+def draws_failure(layout):
+    """Whether there is no burnish; if so, draws in plain words what is missing."""
+    if package.load():
+        return False
     box = layout.box()
     box.label(text="burnish cannot be loaded", icon="ERROR")
     for line in package.failure():
         box.label(text=line)
     box.label(text="Install the add-on's zip that was built for this Blender, or burnish for its Python.")
+    return True
 
 
 class BURNISH_AP_preferences(bpy.types.AddonPreferences):
@@ -22,10 +25,8 @@ class BURNISH_AP_preferences(bpy.types.AddonPreferences):
 
     def draw(self, _context):
         """One line, or what went wrong."""
-        if package.load():
+        if not draws_failure(self.layout):
             self.layout.label(text=package.where(), icon="CHECKMARK")
-        else:
-            draw_failure(self.layout)
 
 
 CLASSES = (BURNISH_AP_preferences,)

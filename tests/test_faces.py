@@ -85,10 +85,11 @@ def test_the_reports_job_runs_again(shot, tmp_path):
     assert (tmp_path / "out.exr").read_bytes() == first
 
 
+@pytest.mark.parametrize("density", ["dense", "sparse"])
 @pytest.mark.parametrize("threads", [1, 2, 5])
-def test_the_same_bits_for_any_thread_count(shot, tmp_path, threads):
-    burnish.run(tmp_path / "shot.json")
-    burnish.run(tmp_path / "shot.json", threads=threads, output=tmp_path / "threads.exr")
+def test_the_same_bits_for_any_thread_count(shot, tmp_path, threads, density):
+    burnish.run(tmp_path / "shot.json", density=density)
+    burnish.run(tmp_path / "shot.json", density=density, threads=threads, output=tmp_path / "threads.exr")
     assert (tmp_path / "out.exr").read_bytes() == (tmp_path / "threads.exr").read_bytes()
 
 

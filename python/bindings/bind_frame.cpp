@@ -8,6 +8,7 @@
 #include <burnish/job/read_frame.h>
 #include <burnish/job/settings.h>
 #include <burnish/job/shot_file.h>
+#include <burnish/sampling/density.h>
 
 #include <memory>
 #include <string>
@@ -39,6 +40,14 @@ py::object shot_settings(const py::object& source) {
     return from_json(values);
 }
 
+/// What the density of settings by name comes to. `pixels`: samples of the whole frame; `is_near`: some light used is near.
+const char* settled_density_name(const py::dict& settings, size_t pixels, bool is_near) {
+    Job job;
+    set_settings(job, to_json(settings), "settings");
+    const ShadingDensity settled = settled_density(job.density.density, job.estimator, pixels, is_near);
+    return settled == ShadingDensity::sparse ? "sparse" : "dense";
+}
+
 }  // namespace
 
 void bind_frame(py::module_& module) {
@@ -49,6 +58,7 @@ void bind_frame(py::module_& module) {
         .def_property_readonly(
             "up", [](const AovFrame& frame) { return settled_up(UpAxis::automatic, frame.renderer) == UpAxis::z ? "z" : "y"; });
     module.def("shot_settings", &shot_settings, py::arg("source"));
+    module.def("settled_density", &settled_density_name, py::arg("settings"), py::arg("pixels"), py::arg("is_near"));
 }
 
 }  // namespace burnish::python

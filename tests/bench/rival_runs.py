@@ -23,8 +23,7 @@ LADDER = (
     ("split_sum", 1, {"density": "dense"}),
     *(("fitted", n, {"samples": n, "density": "dense"}) for n in (2, 4, 6, 12)),
     ("default", 6, {"density": "dense"}),
-    ("default", 6, {"safety": 1}),
-    ("default", 6, {}),
+    *(("default", 6, {"density": "sparse", "safety": safety}) for safety in (1, 2)),
     *(("regular", n, {"samples": n, "density": "dense"}) for n in (7, 19, 61)),
     *(("filtered_importance", n, {"samples": n, "density": "dense"}) for n in (16, 64, 96, 256)),
 )
@@ -84,7 +83,7 @@ def run_burnish(scene, program, folder, family, lookups, settings, threads, repe
         once, frame = said["seconds"], said["frames"][0]["seconds"]
         times.append((frame["surface"] + frame["shading"], once["light"] + frame["tables"], *seconds))
     overlay = scenes.stacked(scenes.read_exr(output), *(f"burnish_spec.{c}" for c in "RGB"))
-    density = settings.get("density") or f"sparse, safety {settings.get('safety', 2)}"
+    density = settings["density"] + (f", safety {settings['safety']}" if "safety" in settings else "")
     name = f"default ({density})" if family == "default" else f"{family} {lookups}, {density}"
     return Run("burnish", family, name, *(float(least) for least in np.min(times, 0)), overlay)
 

@@ -18,6 +18,7 @@ from . import benchmark, cycles
 from .benchmark import GRAZING, light_picture, sphere, view_cosines
 from .lights import Lights
 from .scene import Part, Scene, Source, file_stamps, parameters_of
+from .setting import own_setting
 from .shots import shot_source, source_of
 
 MATERIALS = {
@@ -83,7 +84,8 @@ def sphere_scene(name, light_name, light, materials, size):
     cosines = view_cosines(frame)
     covered = (cosines > 0).astype(np.float32)
     parts = [Part(material, parameters_of(worn), job_of(material, worn, covered), covered) for material, worn in materials.items()]
-    return Scene(name, light_name, frame, {"camera": benchmark.CAMERA}, Lights(light_picture(light)), tuple(parts), grazing=cosines < GRAZING)
+    return Scene(name, light_name, frame, {"camera": benchmark.CAMERA}, Lights(light_picture(light)), tuple(parts),
+                 own_setting({}, size * size, is_near=False), cosines < GRAZING)
 
 
 def job_of(name, worn, covered):

@@ -40,7 +40,7 @@ class Scene:
     job: dict  # arguments of `composite` that all parts share
     lights: Lights
     parts: tuple[Part, ...]
-    own: Setting | None = Setting()
+    own: Setting | None
     grazing: np.ndarray | None = None  # mask, where the angle of view is known
 
     def shade(self, part, setting, threads=0, only=None, **more):

@@ -14,12 +14,11 @@ import numpy as np
 from .. import BadArgument, Frame, _core, composite
 from .lights import Lights
 from .scene import WHOLE, Part, Scene, Source, file_stamps, parameters_of
-from .setting import Setting
+from .setting import OF_SETTING, own_setting
 
 LEFT_OUT = ("output", "preview", "report", "pixel_type", "diagnostics", "keep_layers", "skip_existing", "frames", "bad_frames", "threads",
             "mode", "old_material", "fine_aovs", "filter", "filter_width", "edge_coverage", "tolerance", "max_samples")
 """Settings that say nothing about one frame's overlay, sample by sample."""
-OF_SETTING = {"estimator": "estimator", "samples": "samples", "density": "density", "safety": "safety", "env_suns": "suns"}
 OF_FRAME = ("aovs", "camera", "channel", "view", "per_pixel")
 WHITE_LOBE = {"model": "beckmann", "m": 0.3}
 
@@ -49,10 +48,10 @@ def first_frame(pattern):
 
 def load(name, job):
     """Read the frame and find its parts."""
-    own = Setting(**{field: job[key] for key, field in OF_SETTING.items() if key in job})
     frame = Frame(**{key: value for key, value in job.items() if key in (*OF_FRAME, "material", "materials", "assign")})
     source, lights, shared = split(job)
     rules = [{"material": job[key]} for key in ("material",) if key in job] + job.get("assign", [])
+    own = own_setting(job, frame.width * frame.height, any(near_lights(job, rule) for rule in rules))
     parts = [part for part in parts_of(frame, job, shared, rules) if part.coverage.any()]
     if len(parts) > 1:
         whole = {key: job[key] for key in ("material", "assign") if key in job}
@@ -80,16 +79,21 @@ def chain_of(job):
     return {"default_light": job["default_light"]} if "default_light" in job else {}
 
 
+def near_lights(job, rule):
+    """The lights near the objects that a rule can use, by name: all of them where it leaves them to the pixel's place."""
+    chain, lights = rule.get("light") or job.get("default_light", "").split(","), job.get("lights", {})
+    return lights if chain in ([""], ["auto"]) else {name: light for name, light in lights.items() if name in chain}
+
+
 def parts_of(frame, job, shared, rules):
     """A Part for every rule: its pixels by mask, with the lights it names and no other."""
     covers = coverages(frame, shared, rules)
     names = names_of(rules)
     for rule, name, coverage in zip(rules, names, covers):
-        material, lights = rule["material"], job.get("lights", {})
+        material = rule["material"]
         chain = {"default_light": rule["light"]} if rule.get("light") else chain_of(job)
-        if rule.get("light"):
-            lights = {key: light for key, light in lights.items() if key in rule["light"]}
-        yield Part(name, parameters_of(job.get("materials", {}).get(material, material)), {"assign": {material: coverage}, "lights": lights, **chain}, coverage)
+        worn = {"assign": {material: coverage}, "lights": near_lights(job, rule), **chain}
+        yield Part(name, parameters_of(job.get("materials", {}).get(material, material)), worn, coverage)
 
 
 def names_of(rules):

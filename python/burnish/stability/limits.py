@@ -93,7 +93,7 @@ def one_pixel_frames():
         allowed = 5 * whole[estimator].get("error", np.zeros(frame["normal"].shape[:2]))
         found[estimator] = 0
         for part in SHAPES.values():
-            for density in ("dense", "auto"):
+            for density in ("dense",) if estimator == "reference" else ("dense", "sparse"):
                 alone = scenes.layers({role: np.ascontiguousarray(array[part]) for role, array in frame.items()}, light, lobe,
                                       **{**run, "density": density})
                 away = np.abs(alone["overlay"] - whole[estimator]["overlay"][part]).max(-1)

@@ -52,7 +52,7 @@ def _still(shots):
     figure = flicker(sparse, truth, masks)
     return Outcome(figure, panels.beside(panels.compared(sparse[1], truth[1], 8), 0.5 + 0.5 * bend),
                    "burnish | truth | difference, times 8 | its second difference in time, two display steps over the greys",
-                   (("sparse, as by default", figure), ("dense", flicker(dense, truth, masks)),
+                   (("sparse", figure), ("dense", flicker(dense, truth, masks)),
                     ("largest bend of one pixel", float(np.abs(bend).max()))))
 
 
