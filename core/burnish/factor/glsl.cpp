@@ -1,5 +1,6 @@
 #include <burnish/factor/glsl.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -43,6 +44,11 @@ vec4 burnish_cube(samplerCube map, vec3 d, float size) {
     return texture(map, vec3(d.xy, -d.z));
 }
 )"},
+    {Mapping::elevation, "sampler2D", R"(
+vec4 burnish_elevation(sampler2D map, vec3 d, float size) {
+    return texture(map, vec2((0.5 + clamp(d.z, 0.0, 1.0) * (size - 1.0)) / size, 0.5));
+}
+)"},
 };
 
 const GlslMapping& mapping_of(const DirectionMap& layout) { return kMappings[static_cast<size_t>(layout.mapping())]; }
@@ -74,8 +80,9 @@ public:
     std::string whole(const std::string& constants, const std::string& sum) const {
         std::string text = remarks() + samplers() + constants;
         text += "uniform vec3 burnish_gain = " + vec3(&m_stored.gain.x) + ";\n";
-        if (m_is_lighting) text += "uniform mat3 burnish_world_to_map = " + mat3(m_stored.world_to_map) + ";\n";
-        return text + "\n" + std::string(glsl_projections()) + lookups() + "\n" + function(sum);
+        if (m_is_lighting)
+            text += "uniform mat3 burnish_world_to_map = " + mat3(m_stored.world_to_map) + ";\n" + reflection_curve();
+        return text + "\n" + glsl_projections(m_parametrization.of) + lookups() + "\n" + function(sum);
     }
 
     /// The product of all lookups of a term.
@@ -113,11 +120,25 @@ private:
         return text;
     }
 
+    /// See FactorGuide.
+    std::string reflection_curve() const {
+        const FactorGuide& guide = m_stored.factors.guide;
+        const std::string type = "vec2[" + std::to_string(FactorGuide::kKnots) + "]";
+        std::string knots;
+        for (int i = 0; i < FactorGuide::kKnots; ++i)
+            knots += (i == 0       ? "\n    "
+                      : i % 4 == 0 ? ",\n    "
+                                   : ", ") +
+                     std::string("vec2(") + number(guide.towards_n[i]) + ", " + number(guide.towards_r[i]) + ")";
+        return "const " + type + " reflection_curve = " + type + "(" + knots + ");\n";
+    }
+
     /// Of the mappings that there are.
     std::string lookups() const {
         std::set<Mapping> needed;
         for (int map = 0; map < m_parametrization.map_count(); ++map) needed.insert(layout_of(map).mapping());
-        std::string text = needed == std::set{Mapping::cube} ? "" : std::string(kDiscPlace);
+        const auto lies_on_discs = [](Mapping mapping) { return mapping != Mapping::cube && mapping != Mapping::elevation; };
+        std::string text = std::ranges::any_of(needed, lies_on_discs) ? std::string(kDiscPlace) : "";
         for (const GlslMapping& mapping : kMappings)
             if (needed.contains(mapping.mapping)) text += mapping.code;
         return text;
@@ -127,7 +148,7 @@ private:
         std::string text = std::string("vec3 burnish_factored(vec3 ") + (m_is_lighting ? "n" : "wi") + ", vec3 wo) {\n";
         if (m_is_lighting) text += "    n = burnish_world_to_map * n;\n    wo = burnish_world_to_map * wo;\n";
         if (m_parametrization.needs_dominant())
-            text += "    const vec3 dominant = " + vec3(&m_stored.factors.dominant.x) + ";\n";
+            text += "    const vec3 dominant = " + vec3(&m_stored.factors.guide.dominant.x) + ";\n";
         return text + sum + "}\n";
     }
 

@@ -82,7 +82,7 @@ Color3f QuantisedFactors::operator()(const DirectionPair& pair) const {
     float product[4] = {color.x * scale, color.y * scale, color.z * scale, white};
     for (const Factor& factor : parametrization->factors) {
         const QuantisedMap& map = maps[factor.map];
-        const BlendedTexels blend = map.layout.lookup(factor.direction->project(pair, dominant));
+        const BlendedTexels blend = map.layout.lookup(factor.direction->project(pair, guide));
         for (int c = 0; c < 4; ++c) {
             float sum = 0;
             for (size_t i = 0; i < blend.texel.size(); ++i) sum += blend.weight[i] * map.texels[blend.texel[i]][c];
@@ -97,7 +97,7 @@ QuantisedFactors quantise(const Factors& factors, const QuantiseSettings& settin
     const Parametrization& parametrization = *factors.parametrization;
     const std::vector<float> ones(factors.terms[0].size() + 1, 1.0f);
     QuantisedFactors result;
-    result.parametrization = &parametrization, result.dominant = factors.dominant;
+    result.parametrization = &parametrization, result.guide = factors.guide;
     result.prescale = prescale_of_weights(parametrization, settings.weights.empty() ? ones : settings.weights);
     const Color3f whole = peak_of(factors) * result.prescale[0];
     result.white = settings.white > 0 ? settings.white : largest(whole) / settings.scale;

@@ -30,7 +30,7 @@ struct QuantisedMap {
 
 struct QuantisedFactors {
     const Parametrization* parametrization = nullptr;
-    Vec3f dominant{0, 0, 1};
+    FactorGuide guide;
     std::vector<QuantisedMap> maps;
     std::vector<float> prescale;  // s_0 of the colour, s_k of map k
     float white = 1;

@@ -15,9 +15,10 @@ namespace {
 using nlohmann::json;
 
 constexpr int kFormat = 1, kMostTerms = 16;
-constexpr NumberRange kGain{0, 1e12};
-constexpr std::array<std::string_view, 11> kFields = {"format", "of",       "parametrization", "formula", "factors", "maps",
-                                                      "terms",  "dominant", "world_to_map",    "gain",    "made_of"};
+constexpr NumberRange kGain{0, 1e12}, kCurve{-4, 4};
+constexpr std::array<std::string_view, 12> kFields = {"format", "of",     "parametrization", "formula",          "factors",
+                                                      "maps",   "terms",  "dominant",        "reflection_curve", "world_to_map",
+                                                      "gain",   "made_of"};
 
 std::string_view function_name(FactoredFunction of) { return of == FactoredFunction::brdf ? "brdf" : "lighting"; }
 
@@ -59,17 +60,44 @@ Vec3f unit_from_json(const JsonFields& fields, std::string_view key) {
     return v.normalized();
 }
 
+json curve_to_json(const FactorGuide& guide) {
+    json curve = json::array();
+    for (int i = 0; i < FactorGuide::kKnots; ++i)
+        curve.push_back({to_json_number(guide.towards_n[i]), to_json_number(guide.towards_r[i])});
+    return curve;
+}
+
+void curve_from_json(const JsonFields& fields, FactorGuide& guide) {
+    const json& curve = fields.at("reflection_curve");
+    const auto usable = [](const json& x) { return x.is_number() && x >= kCurve.min && x <= kCurve.max; };
+    const auto is_knot = [&](const json& knot) {
+        return knot.is_array() && knot.size() == 2 && usable(knot[0]) && usable(knot[1]);
+    };
+    if (!curve.is_array() || curve.size() != FactorGuide::kKnots || !std::ranges::all_of(curve, is_knot))
+        fail_expected(fields.path("reflection_curve"), std::to_string(FactorGuide::kKnots) + " pairs of numbers from -4 to 4",
+                      curve);
+    for (int i = 0; i < FactorGuide::kKnots; ++i)
+        guide.towards_n[i] = curve[i][0].get<float>(), guide.towards_r[i] = curve[i][1].get<float>();
+}
+
+/// Whether lookups by such directions find their places.
+bool serves(const DirectionMap& layout, DirectionDomain domain) {
+    return domain == DirectionDomain::elevation ||
+           (domain == DirectionDomain::hemisphere && layout.mapping() != Mapping::elevation) || layout.is_whole_sphere();
+}
+
 FactorMap map_from_json(const JsonFields& fields, const Parametrization& parametrization, int map) {
     fields.expect_only(std::array<std::string_view, 3>{"name", "mapping", "size"});
-    const std::string expected = map_name(parametrization, map), found = fields.text("name");
-    if (found != expected) fail_expected(fields.path("name"), "\"" + expected + "\"", fields.at("name"));
-    const std::array<std::string_view, 4> mappings = {mapping_name(Mapping::hemispherical), mapping_name(Mapping::parabolic),
-                                                      mapping_name(Mapping::double_parabolic), mapping_name(Mapping::cube)};
+    if (fields.text("name") != map_name(parametrization, map))
+        fail_expected(fields.path("name"), "\"" + map_name(parametrization, map) + "\"", fields.at("name"));
+    std::vector<std::string_view> mappings;
+    for (const Mapping mapping :
+         {Mapping::hemispherical, Mapping::parabolic, Mapping::double_parabolic, Mapping::cube, Mapping::elevation})
+        mappings.push_back(mapping_name(mapping));
     const int size = fields.whole_number("size", {DirectionMap::kLeastSize, DirectionMap::kMostSize}, 0);
     const DirectionMap layout(mapping_by_name(fields.name("mapping", mappings)), size);
-    if (parametrization.is_whole_sphere(map) && !layout.is_whole_sphere())
-        fail_expected(fields.path("mapping"), "double_parabolic or cube, as all directions are looked up",
-                      fields.at("mapping"));
+    if (!serves(layout, parametrization.domain(map)))
+        fail_expected(fields.path("mapping"), "one that holds all directions the map is looked up by", fields.at("mapping"));
     return {layout, {}};
 }
 
@@ -122,7 +150,8 @@ json factors_to_json(const StoredFactors& stored) {
                   {"factors", factors_as_json(parametrization)},
                   {"maps", maps},
                   {"terms", factors.terms.size()},
-                  {"dominant", to_json_vector(factors.dominant)},
+                  {"dominant", to_json_vector(factors.guide.dominant)},
+                  {"reflection_curve", curve_to_json(factors.guide)},
                   {"world_to_map", axes},
                   {"gain", to_json_color(stored.gain)}};
     if (!stored.made_of.empty()) value["made_of"] = parse_json(stored.made_of, "made_of");
@@ -138,7 +167,8 @@ StoredFactors factors_from_json(const json& value, const std::string& where) {
     stored.factors.parametrization = &parametrization_from_json(fields);
     const FactorTerm term = term_from_json(fields, *stored.factors.parametrization);
     stored.factors.terms.assign(fields.whole_number("terms", {1, kMostTerms}, 1), term);
-    stored.factors.dominant = unit_from_json(fields, "dominant");
+    stored.factors.guide.dominant = unit_from_json(fields, "dominant");
+    curve_from_json(fields, stored.factors.guide);
     stored.world_to_map = axes_from_json(fields);
     stored.gain = fields.color("gain", kGain);
     if (fields.has("made_of")) stored.made_of = fields.at("made_of").dump(-1, ' ', true, json::error_handler_t::replace);

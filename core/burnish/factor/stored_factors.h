@@ -2,9 +2,10 @@
 //
 // The JSON beside the maps rebuilds the formula without burnish (docs/factored.md):
 //
-//     {"format": 1, "of": "lighting", "parametrization": "nr", "formula": "L(n, wo) = gain * normal(n) * reflection(reflect(-wo, n))",
+//     {"format": 1, "of": "lighting", "parametrization": "nr", "formula": "L(n, wo) = gain * normal(n) * reflection(reflection_of(n, wo))",
 //      "factors": [{"direction": "normal", "map": "normal"}, ...], "maps": [{"name": "normal", "mapping": "double_parabolic", "size": 32}, ...],
-//      "terms": 1, "dominant": [0, 0, 1], "world_to_map": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gain": 1, "made_of": {...}}
+//      "terms": 1, "dominant": [0, 0, 1], "reflection_curve": [[0, 1], [0.03125, 1], ...], "world_to_map": [[1, 0, 0], ...], "gain": 1,
+//      "made_of": {...}}
 #pragma once
 
 #include <burnish/factor/factors.h>

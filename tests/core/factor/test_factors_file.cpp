@@ -30,7 +30,8 @@ StoredFactors numbered_factors(const Parametrization& parametrization, Mapping s
                 const float value = static_cast<float>(i) / 1024;
                 map.texels[i] = Color3f(value, 2 * value, &term == stored.factors.terms.data() ? 1 : -value);
             }
-    stored.factors.dominant = Vec3f(0, 0.6f, 0.8f);
+    stored.factors.guide.dominant = Vec3f(0, 0.6f, 0.8f);
+    stored.factors.guide.towards_n[3] = 0.25f, stored.factors.guide.towards_r[7] = 1.5f;
     stored.world_to_map = Matrix33f(0, 1, 0, 0, 0, 1, 1, 0, 0);
     stored.gain = Color3f(2, 1, 0.5f);
     stored.made_of = R"({"material_name":"gold"})";
@@ -39,7 +40,9 @@ StoredFactors numbered_factors(const Parametrization& parametrization, Mapping s
 
 void expect_equal(const StoredFactors& a, const StoredFactors& b) {
     EXPECT_EQ(a.factors.parametrization, b.factors.parametrization);
-    EXPECT_EQ(a.factors.dominant, b.factors.dominant);
+    EXPECT_EQ(a.factors.guide.dominant, b.factors.guide.dominant);
+    EXPECT_EQ(a.factors.guide.towards_n, b.factors.guide.towards_n);
+    EXPECT_EQ(a.factors.guide.towards_r, b.factors.guide.towards_r);
     EXPECT_EQ(a.world_to_map, b.world_to_map);
     EXPECT_EQ(a.gain, b.gain);
     EXPECT_EQ(a.made_of, b.made_of);
@@ -112,6 +115,7 @@ TEST(FactorsFile, RefusesHeadersThatCannotBe) {
                                                     {{{"terms", 1000}}, "terms"},
                                                     {{{"dominant", {0, 0, 3}}}, "dominant"},
                                                     {{{"world_to_map", {{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}}}, "world_to_map"},
+                                                    {{{"reflection_curve", {1, 2}}}, "reflection_curve"},
                                                     {{{"gain", -1}}, "gain"},
                                                     {{{"maps", json::array()}}, "maps"},
                                                     {{{"extra", 1}}, "extra"}};
@@ -156,8 +160,10 @@ TEST(FactorsFile, SurvivesDamage) {
         std::ofstream(scratch.file("damaged.exr"), std::ios::binary) << bytes;
         return refusal(scratch.file("damaged.exr"));
     };
-    for (size_t length = 0; length < whole.size(); length += whole.size() / 10) EXPECT_NE(read_changed(whole.substr(0, length)), "") << length;
-    for (size_t at = 0; at < whole.size(); at += whole.size() / 24) {  // some bytes matter to nobody: no more than no crash is promised
+    for (size_t length = 0; length < whole.size(); length += whole.size() / 10)
+        EXPECT_NE(read_changed(whole.substr(0, length)), "") << length;
+    for (size_t at = 0; at < whole.size();
+         at += whole.size() / 24) {  // some bytes matter to nobody: no more than no crash is promised
         std::string bytes = whole;
         bytes[at] = static_cast<char>(bytes[at] ^ 0xff);
         EXPECT_LT(read_changed(bytes).size(), 2000u);
