@@ -71,10 +71,10 @@ std::vector<FactorSample> thinned(std::span<const FactorSample> samples) {
     return some;
 }
 
-Factors solved(const Parametrization& parametrization, std::span<const FactorSample> samples, const Vec3f& dominant,
+Factors solved(const Parametrization& parametrization, std::span<const FactorSample> samples, const FactorGuide& guide,
                const FactoriseSettings& settings, const Progress& progress) {
     Factors factors = uniform_factors(parametrization, settings.sphere, settings.size);
-    factors.dominant = dominant;
+    factors.guide = guide;
     const SampleLookups lookups(factors, samples);
     const ColorRow mean = mean_value(samples), share = mean.pow(1.0f / static_cast<float>(lookups.factors()));
     const Eigen::SparseMatrix<float, Eigen::RowMajor> R = map_smoothness(factors, settings.smoothness);
@@ -83,7 +83,7 @@ Factors solved(const Parametrization& parametrization, std::span<const FactorSam
     if (settings.size >= 2 * kCoarsest) {
         FactoriseSettings half = settings;
         half.size = settings.size / 2;
-        const Factors coarse = solved(parametrization, thinned(samples), dominant, half, part_of(progress, 0, 0.3f));
+        const Factors coarse = solved(parametrization, thinned(samples), guide, half, part_of(progress, 0, 0.3f));
         x = to_logarithms(factors.terms[0], coarse.terms[0], share, lookups.texels());
     } else {
         x = averaged_start(factors, lookups, logs);
@@ -103,10 +103,10 @@ Factors solved(const Parametrization& parametrization, std::span<const FactorSam
 
 }  // namespace
 
-Factors factorise(const Parametrization& parametrization, std::span<const FactorSample> samples, const Vec3f& dominant,
+Factors factorise(const Parametrization& parametrization, std::span<const FactorSample> samples, const FactorGuide& guide,
                   const FactoriseSettings& settings, const Progress& progress) {
     check(samples);
-    return solved(parametrization, samples, dominant, settings, progress);
+    return solved(parametrization, samples, guide, settings, progress);
 }
 
 }  // namespace burnish

@@ -26,9 +26,9 @@ struct FactoriseSettings {
     float tolerance = 1e-4f;                     // of the gradient
 };
 
-/// `dominant`: unit, of use to some parametrisations. Throws Error(bad_argument) for no samples, for directions, values or weights
+/// Throws Error(bad_argument) for no samples, for directions, values or weights
 /// that are not finite or are below zero, and for sizes out of range.
-Factors factorise(const Parametrization& parametrization, std::span<const FactorSample> samples, const Vec3f& dominant,
+Factors factorise(const Parametrization& parametrization, std::span<const FactorSample> samples, const FactorGuide& guide,
                   const FactoriseSettings& settings = {}, const Progress& progress = {});
 
 }  // namespace burnish

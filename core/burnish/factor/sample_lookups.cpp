@@ -19,7 +19,7 @@ SampleLookups::SampleLookups(const Factors& factors, std::span<const FactorSampl
         for (int s = chunk_begin(chunk); s < chunk_begin(chunk + 1); ++s)
             for (int j = 0; j < m_factors; ++j) {
                 const FactorMap& map = factors.terms[0][rows[j].map];
-                const BlendedTexels blend = map.layout.lookup(rows[j].direction->project(samples[s].pair, factors.dominant));
+                const BlendedTexels blend = map.layout.lookup(rows[j].direction->project(samples[s].pair, factors.guide));
                 for (int term = 0; term < m_terms; ++term) {
                     BlendedTexels& own = m_blends[(static_cast<size_t>(s) * m_terms + term) * m_factors + j];
                     own = blend;

@@ -33,26 +33,27 @@ Color3f hill(const Vec3f& d, const Vec3f& top) {
 }
 
 /// A product for each parametrisation's factors, of hills about a direction a map.
-Function separable(const Parametrization& parametrization, const Vec3f& dominant) {
-    return [&parametrization, dominant](const DirectionPair& pair) {
+Function separable(const Parametrization& parametrization, const FactorGuide& guide) {
+    return [&parametrization, guide](const DirectionPair& pair) {
         Color3f product(1, 1, 1);
         for (const Factor& factor : parametrization.factors) {
             const float angle = 1.0f + 2 * static_cast<float>(factor.map);
-            product *= hill(factor.direction->project(pair, dominant), {std::sin(angle) * 0.6f, std::cos(angle) * 0.6f, 0.8f});
+            product *= hill(factor.direction->project(pair, guide), {std::sin(angle) * 0.6f, std::cos(angle) * 0.6f, 0.8f});
         }
         return product;
     };
 }
 
 TEST(Factorise, FindsTheFactorsOfAProduct) {
-    const Vec3f dominant = Vec3f(2, -1, 2) / 3.0f;
+    FactorGuide guide;
+    guide.dominant = Vec3f(2, -1, 2) / 3.0f;
     for (const Parametrization& parametrization : parametrizations())
         for (const Mapping sphere : {Mapping::double_parabolic, Mapping::cube}) {
-            const auto samples = grid_samples(parametrization.of, 10, separable(parametrization, dominant));
+            const auto samples = grid_samples(parametrization.of, 10, separable(parametrization, guide));
             FactoriseSettings settings;
             settings.size = 16;
             settings.sphere = sphere;
-            const Factors factors = factorise(parametrization, samples, dominant, settings);
+            const Factors factors = factorise(parametrization, samples, guide, settings);
             EXPECT_LT(factor_error(factors, samples).average_relative, 1e-2)
                 << parametrization.name << " " << mapping_name(sphere);
             if (parametrization.of == FactoredFunction::brdf) break;
@@ -66,24 +67,24 @@ TEST(Factorise, GivesTheSameBitsForAnyThreadCount) {
         const ThreadLimit limit(threads);
         FactoriseSettings settings;
         settings.size = 8;
-        return factorise(nr, samples, {0, 0, 1}, settings).terms[0][1].texels;
+        return factorise(nr, samples, {}, settings).terms[0][1].texels;
     };
     EXPECT_EQ(texels(1), texels(2));
 }
 
 TEST(Factorise, RefusesWhatItCannotFactor) {
     const Parametrization& io = parametrization_by_name("io");
-    EXPECT_THROW(factorise(io, {}, {0, 0, 1}), Error);
+    EXPECT_THROW(factorise(io, {}, FactorGuide()), Error);
     const FactorSample good{{{0, 0, 1}, {0, 0, 1}}, Color3f(1), 1};
     FactorSample endless = good, negative = good, weighed = good;
     endless.value.y = std::numeric_limits<float>::infinity();
     negative.value.z = -1;
     weighed.weight = std::numeric_limits<float>::quiet_NaN();
     for (const FactorSample& bad : {endless, negative, weighed})
-        EXPECT_THROW(factorise(io, std::vector{good, bad}, {0, 0, 1}), Error);
+        EXPECT_THROW(factorise(io, std::vector{good, bad}, FactorGuide()), Error);
     FactoriseSettings settings;
     settings.size = 1;
-    EXPECT_THROW(factorise(io, std::vector{good}, {0, 0, 1}, settings), Error);
+    EXPECT_THROW(factorise(io, std::vector{good}, {}, settings), Error);
 }
 
 TEST(FactorError, IsWhatTheHandComputes) {
