@@ -16,36 +16,36 @@ struct GlslMapping {
 
 constexpr std::string_view kDiscPlace = R"(
 /* Where p, within a circle of radius 1, lies on a disc whose rim is a texel inside its square; texels. */
-vec2 burnish_on_disc(vec2 p, float size) {
+vec2 burnish_disc_place(vec2 p, float size) {
     return clamp(0.5 * size + (0.5 * size - 1.0) * p, 0.5, size - 0.5);
 }
 )";
 
 constexpr GlslMapping kMappings[] = {
     {Mapping::hemispherical, "sampler2D", R"(
-vec4 burnish_hemispherical(sampler2D map, vec3 d, float size) {
+vec4 burnish_on_hemispherical(sampler2D map, vec3 d, float size) {
     vec2 p = d.z < 0.0 ? d.xy / max(length(d.xy), 1e-6) : d.xy;
-    return texture(map, burnish_on_disc(p, size) / size);
+    return texture(map, burnish_disc_place(p, size) / size);
 }
 )"},
     {Mapping::parabolic, "sampler2D", R"(
-vec4 burnish_parabolic(sampler2D map, vec3 d, float size) {
-    return texture(map, burnish_on_disc(d.xy / max(1.0 + d.z, 1e-6), size) / size);
+vec4 burnish_on_parabolic(sampler2D map, vec3 d, float size) {
+    return texture(map, burnish_disc_place(d.xy / max(1.0 + d.z, 1e-6), size) / size);
 }
 )"},
     {Mapping::double_parabolic, "sampler2D", R"(
-vec4 burnish_double_parabolic(sampler2D map, vec3 d, float size) {
-    vec2 place = burnish_on_disc(d.xy / (1.0 + abs(d.z)), size);
+vec4 burnish_on_double_parabolic(sampler2D map, vec3 d, float size) {
+    vec2 place = burnish_disc_place(d.xy / (1.0 + abs(d.z)), size);
     return texture(map, vec2(place.x + (d.z < 0.0 ? size : 0.0), place.y) / vec2(2.0 * size, size));
 }
 )"},
     {Mapping::cube, "samplerCube", R"(
-vec4 burnish_cube(samplerCube map, vec3 d, float size) {
+vec4 burnish_on_cube(samplerCube map, vec3 d, float size) {
     return texture(map, vec3(d.xy, -d.z));
 }
 )"},
     {Mapping::elevation, "sampler2D", R"(
-vec4 burnish_elevation(sampler2D map, vec3 d, float size) {
+vec4 burnish_on_elevation(sampler2D map, vec3 d, float size) {
     return texture(map, vec2((0.5 + clamp(d.z, 0.0, 1.0) * (size - 1.0)) / size, 0.5));
 }
 )"},
