@@ -90,7 +90,7 @@ public:
         std::string text;
         for (const Factor& factor : m_parametrization.factors) {
             const DirectionMap& layout = layout_of(factor.map);
-            text += (text.empty() ? "" : "\n        * ") + std::string("burnish_") +
+            text += (text.empty() ? "" : "\n        * ") + std::string("burnish_on_") +
                     std::string(mapping_name(layout.mapping())) + "(" + sampler(factor.map, term) + ", " +
                     std::string(factor.direction->glsl) + ", " + number(static_cast<float>(layout.size())) + ")";
         }
@@ -102,11 +102,11 @@ private:
     std::string sampler(int map, size_t term) const { return "burnish_" + map_name(m_parametrization, map, term); }
 
     std::string remarks() const {
-        return std::string("// Made by burnish: ") + m_parametrization.summary +
+        return "// Made by burnish: " + m_parametrization.summary +
                ".\n"
-               "// Textures: linear filter, clamped to their edges, no smaller levels, values as they are (no sRGB), the "
-               "picture's\n"
-               "// first row at v = 0. Faces of a cube lie below each other; a cube map takes them as +X -X +Y -Y -Z +Z.\n";
+               "// Textures: linear filter, clamped to their edges, no smaller levels, values as they are (no sRGB), the first "
+               "row of\n"
+               "// the picture at v = 0. A cube's faces, from the top, are a cube map's +X, -X, +Y, -Y, -Z and +Z.\n";
     }
 
     std::string samplers() const {
@@ -126,10 +126,8 @@ private:
         const std::string type = "vec2[" + std::to_string(FactorGuide::kKnots) + "]";
         std::string knots;
         for (int i = 0; i < FactorGuide::kKnots; ++i)
-            knots += (i == 0       ? "\n    "
-                      : i % 4 == 0 ? ",\n    "
-                                   : ", ") +
-                     std::string("vec2(") + number(guide.towards_n[i]) + ", " + number(guide.towards_r[i]) + ")";
+            knots += std::string(i == 0 ? "" : ",") + (i % 4 == 0 ? "\n    " : " ") + "vec2(" + number(guide.towards_n[i]) +
+                     ", " + number(guide.towards_r[i]) + ")";
         return "const " + type + " reflection_curve = " + type + "(" + knots + ");\n";
     }
 
