@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames = {"hemispherical", "parabolic", "double_parabolic", "cube"};
+constexpr std::array<std::string_view, 5> kNames = {"hemispherical", "parabolic", "double_parabolic", "cube", "elevation"};
 
 /// The unit direction of a place on a disc, z >= 0 within the rim.
 Vec3f from_disc(Mapping mapping, const Vec2f& p) {
@@ -25,10 +25,10 @@ std::string_view mapping_name(Mapping mapping) { return kNames[static_cast<size_
 Mapping mapping_by_name(std::string_view name) {
     const auto found = std::ranges::find(kNames, name);
     if (found == kNames.end())
-        throw Error(ErrorCode::bad_argument,
-                    "expected hemispherical, parabolic, double_parabolic or cube as a mapping of directions, "
-                    "found '" +
-                        std::string(name) + "'");
+        throw Error(
+            ErrorCode::bad_argument,
+            "expected hemispherical, parabolic, double_parabolic, cube or elevation as a mapping of directions, found '" +
+                std::string(name) + "'");
     return static_cast<Mapping>(found - kNames.begin());
 }
 
@@ -39,6 +39,7 @@ DirectionMap::DirectionMap(Mapping mapping, int size) : m_mapping(mapping), m_si
 }
 
 MapPlace DirectionMap::place(const Vec3f& d) const {
+    if (m_mapping == Mapping::elevation) return {0.5f + std::clamp(d.z, 0.0f, 1.0f) * static_cast<float>(m_size - 1), 0.5f};
     if (m_mapping == Mapping::cube) {
         const CubeCoord at = cube_coord(d);
         const float size = static_cast<float>(m_size);
@@ -65,6 +66,12 @@ BlendedTexels DirectionMap::blend(const MapPlace& place, int first_column) const
 }
 
 BlendedTexels DirectionMap::lookup(const Vec3f& d) const {
+    if (m_mapping == Mapping::elevation) {
+        const float at = place(d).x - 0.5f;
+        const int low = std::min(static_cast<int>(at), m_size - 2);
+        const float part = at - static_cast<float>(low);
+        return {{low, low + 1, low, low + 1}, {1 - part, part, 0, 0}};
+    }
     if (m_mapping == Mapping::cube) return cube_lookup(d);
     return blend(place(d), m_mapping == Mapping::double_parabolic && d.z < 0 ? m_size : 0);
 }
@@ -99,18 +106,28 @@ Vec3f DirectionMap::direction(int texel) const {
         const Vec3f d = face_to_cube(y / m_size, face_place(x, y % m_size, m_size));
         return d / d.length();
     }
+    if (m_mapping == Mapping::elevation) {
+        const float z = static_cast<float>(x) / static_cast<float>(m_size - 1);
+        return {std::sqrt(1 - z * z), 0, z};
+    }
     Vec3f d = from_disc(m_mapping, on_disc(texel));
     if (x >= m_size) d.z = -d.z;
     return d;
 }
 
-bool DirectionMap::holds(int texel) const { return m_mapping == Mapping::cube || on_disc(texel).length2() <= 1; }
+bool DirectionMap::holds(int texel) const {
+    return m_mapping == Mapping::cube || m_mapping == Mapping::elevation || on_disc(texel).length2() <= 1;
+}
 
 double DirectionMap::solid_angle(int texel) const {
     if (m_mapping == Mapping::cube) {
         const auto edge = [&](int i) { return 2.0 * i / m_size - 1; };
         const int x = texel % m_size, y = texel / m_size % m_size;
         return cube_solid_angle(edge(x), edge(x + 1), edge(y), edge(y + 1));
+    }
+    if (m_mapping == Mapping::elevation) {
+        const bool is_end = texel == 0 || texel == m_size - 1;
+        return 2 * std::numbers::pi / (m_size - 1) * (is_end ? 0.5 : 1.0);
     }
     if (!holds(texel)) return 0;
     const double r2 = on_disc(texel).length2(), area = 1.0 / (radius() * radius());
@@ -124,7 +141,7 @@ std::vector<int> DirectionMap::neighbours(int texel) const {
         const auto is_inside = [&](int i) { return i >= 0 && i < m_size; };
         if (m_mapping == Mapping::cube)
             found.push_back(cube_texel(y / m_size, column + dx, row + dy));
-        else if (is_inside(column + dx) && is_inside(row + dy))
+        else if (is_inside(column + dx) && row + dy >= 0 && row + dy < height())
             found.push_back(texel + dy * width() + dx);
     }
     return found;

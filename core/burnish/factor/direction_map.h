@@ -4,6 +4,7 @@
 //     parabolic          p = (x, y) / (1 + z)       z >= 0, and on beyond the horizon      Heidrich & Seidel 1998
 //     double_parabolic   two of these side by side: z >= 0 on the left, z < 0 on the right with p = (x, y) / (1 - z)
 //     cube               six faces, one below the other, as the pyramids of light have them (cube_faces.h)
+//     elevation          z in [0, 1] alone, one row: the horizon in the middle of the first texel, z = 1 in that of the last
 //
 // Columns go with x and rows with y, row 0 at the least y (on cubes as the faces have them). A disc's rim |p| = 1 lies one texel inside
 // its square, so that lookups at the horizon have texels on both sides: those beyond the rim continue a single disc, and of two discs
@@ -18,7 +19,7 @@
 
 namespace burnish {
 
-enum class Mapping { hemispherical, parabolic, double_parabolic, cube };
+enum class Mapping { hemispherical, parabolic, double_parabolic, cube, elevation };
 
 /// "double_parabolic"
 std::string_view mapping_name(Mapping mapping);
@@ -38,17 +39,17 @@ struct MapPlace {
 
 class DirectionMap {
 public:
-    /// `size`: texels along a side of a disc or face. Throws Error(bad_argument) outside kLeastSize to kMostSize.
+    /// `size`: texels along a side of a disc or face, or of the row. Throws Error(bad_argument) outside kLeastSize to kMostSize.
     DirectionMap(Mapping mapping, int size);
 
     Mapping mapping() const { return m_mapping; }
     int size() const { return m_size; }
     int width() const { return m_mapping == Mapping::double_parabolic ? 2 * m_size : m_size; }
-    int height() const { return m_mapping == Mapping::cube ? 6 * m_size : m_size; }
+    int height() const { return m_mapping == Mapping::cube ? 6 * m_size : m_mapping == Mapping::elevation ? 1 : m_size; }
     int texels() const { return width() * height(); }
     bool is_whole_sphere() const { return m_mapping == Mapping::double_parabolic || m_mapping == Mapping::cube; }
 
-    /// Where the unit direction d lies; below the horizon of a single disc: its nearest place there.
+    /// Where the unit direction d lies; below the horizon of what ends there: its nearest place.
     MapPlace place(const Vec3f& d) const;
     /// The bilinear lookup of a unit direction.
     BlendedTexels lookup(const Vec3f& d) const;

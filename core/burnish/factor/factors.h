@@ -2,6 +2,7 @@
 #pragma once
 
 #include <burnish/factor/direction_map.h>
+#include <burnish/factor/factor_guide.h>
 #include <burnish/factor/parametrization.h>
 
 #include <vector>
@@ -20,7 +21,7 @@ using FactorTerm = std::vector<FactorMap>;
 
 struct Factors {
     const Parametrization* parametrization = nullptr;
-    Vec3f dominant{0, 0, 1};        // where most of the light comes from, in the axes of the maps
+    FactorGuide guide;
     std::vector<FactorTerm> terms;  // one, or more where a single product does not do; all of the same layouts
 
     /// BRDF in 1/sr, or radiance. Below zero never: what terms after the first take too much is cut off.

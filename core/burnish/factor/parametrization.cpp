@@ -22,40 +22,43 @@ Vec3f difference_from(const Vec3f& h, const Vec3f& w) { return Frame::along(h, {
 /// their directions in this frame are the same, which a tangent made of n alone would not give (Factor 68).
 Vec3f toward_dominant(const Vec3f& n, const Vec3f& dominant, const Vec3f& d) { return Frame::along(n, dominant).to_local(d); }
 
-Vec3f dominant_half(const DirectionPair& p, const Vec3f& dominant) {
-    return toward_dominant(p.a, dominant, half_of(dominant, p.b));
+Vec3f dominant_half(const DirectionPair& p, const FactorGuide& guide) {
+    return toward_dominant(p.a, guide.dominant, half_of(guide.dominant, p.b));
 }
 
-Vec3f dominant_difference(const DirectionPair& p, const Vec3f& dominant) {
-    return difference_from(dominant_half(p, dominant), toward_dominant(p.a, dominant, dominant));
+Vec3f dominant_difference(const DirectionPair& p, const FactorGuide& guide) {
+    return difference_from(dominant_half(p, guide), toward_dominant(p.a, guide.dominant, guide.dominant));
 }
 
-Vec3f elevation_of(const DirectionPair& p, const Vec3f&) {
+Vec3f elevation_of(const DirectionPair& p, const FactorGuide&) {
     const float z = std::clamp(p.a.dot(p.b), 0.0f, 1.0f);
     return {std::sqrt(1 - z * z), 0, z};
 }
 
 constexpr auto kBrdf = FactoredFunction::brdf;
 constexpr auto kLighting = FactoredFunction::lighting;
+constexpr auto kSphere = DirectionDomain::sphere;
+constexpr auto kHemisphere = DirectionDomain::hemisphere;
 
 constexpr ProjectedDirection kDirections[] = {
-    {"incident", kBrdf, false, false, [](const DirectionPair& p, const Vec3f&) { return p.a; }, "wi"},
-    {"outgoing", kBrdf, false, false, [](const DirectionPair& p, const Vec3f&) { return p.b; }, "wo"},
-    {"half", kBrdf, false, false, [](const DirectionPair& p, const Vec3f&) { return half_of(p.a, p.b); }, "half_of(wi, wo)"},
-    {"difference", kBrdf, false, false,
-     [](const DirectionPair& p, const Vec3f&) { return difference_from(half_of(p.a, p.b), p.a); },
+    {"incident", kBrdf, kHemisphere, false, [](const DirectionPair& p, const FactorGuide&) { return p.a; }, "wi"},
+    {"outgoing", kBrdf, kHemisphere, false, [](const DirectionPair& p, const FactorGuide&) { return p.b; }, "wo"},
+    {"half", kBrdf, kHemisphere, false, [](const DirectionPair& p, const FactorGuide&) { return half_of(p.a, p.b); },
+     "half_of(wi, wo)"},
+    {"difference", kBrdf, kHemisphere, false,
+     [](const DirectionPair& p, const FactorGuide&) { return difference_from(half_of(p.a, p.b), p.a); },
      "difference_from(half_of(wi, wo), wi)"},
-    {"normal", kLighting, true, false, [](const DirectionPair& p, const Vec3f&) { return p.a; }, "n"},
-    {"view", kLighting, true, false, [](const DirectionPair& p, const Vec3f&) { return p.b; }, "wo"},
-    {"reflection", kLighting, true, false, [](const DirectionPair& p, const Vec3f&) { return p.a * (2 * p.a.dot(p.b)) - p.b; },
-     "reflect(-wo, n)"},
-    {"elevation", kLighting, false, false, elevation_of, "elevation_of(n, wo)"},
-    {"dominant_half", kLighting, true, true, dominant_half, "toward_dominant(n, dominant, half_of(dominant, wo))"},
-    {"dominant_difference", kLighting, false, true, dominant_difference,
+    {"normal", kLighting, kSphere, false, [](const DirectionPair& p, const FactorGuide&) { return p.a; }, "n"},
+    {"view", kLighting, kSphere, false, [](const DirectionPair& p, const FactorGuide&) { return p.b; }, "wo"},
+    {"reflection", kLighting, kSphere, false,
+     [](const DirectionPair& p, const FactorGuide& guide) { return guide.reflection(p); }, "reflection_of(n, wo)"},
+    {"elevation", kLighting, DirectionDomain::elevation, false, elevation_of, "elevation_of(n, wo)"},
+    {"dominant_half", kLighting, kSphere, true, dominant_half, "toward_dominant(n, dominant, half_of(dominant, wo))"},
+    {"dominant_difference", kLighting, kHemisphere, true, dominant_difference,
      "difference_from(toward_dominant(n, dominant, half_of(dominant, wo)), toward_dominant(n, dominant, dominant))"},
 };
 
-constexpr std::string_view kGlslProjections = R"(vec3 half_of(vec3 a, vec3 b) {
+constexpr std::string_view kGlslOfBoth = R"(vec3 half_of(vec3 a, vec3 b) {
     vec3 sum = a + b;
     float length2 = dot(sum, sum);
     return length2 > 1e-12 ? sum * inversesqrt(length2) : a;
@@ -75,7 +78,17 @@ vec3 in_frame_along(vec3 n, vec3 hint, vec3 d) {
 }
 
 vec3 difference_from(vec3 h, vec3 w) { return in_frame_along(h, vec3(1.0, 0.0, 0.0), w); }
-vec3 toward_dominant(vec3 n, vec3 dominant, vec3 d) { return in_frame_along(n, dominant, d); }
+)";
+
+constexpr std::string_view kGlslOfLighting =
+    R"(vec3 toward_dominant(vec3 n, vec3 dominant, vec3 d) { return in_frame_along(n, dominant, d); }
+
+vec3 reflection_of(vec3 n, vec3 wo) {
+    float c = dot(n, wo), at = clamp(c, 0.0, 1.0) * float(reflection_curve.length() - 1);
+    int low = min(int(at), reflection_curve.length() - 2);
+    vec2 towards = mix(reflection_curve[low], reflection_curve[low + 1], at - float(low));
+    return normalize(n * towards.x + (n * c - wo) * towards.y);
+}
 
 vec3 elevation_of(vec3 n, vec3 wo) {
     float z = clamp(dot(n, wo), 0.0, 1.0);
@@ -90,12 +103,16 @@ Factor by(std::string_view direction, int map) {
 /// Names are the initials of the directions; `pqp` is p(wi) q(h) p(wo).
 const std::vector<Parametrization>& known() {
     static const std::vector<Parametrization> all = {
-        {"nr", "normal and reflection: two maps for most materials", kLighting, {by("normal", 0), by("reflection", 1)}},
+        {"re",
+         "reflection, by the view's elevation: two terms of it are exact but for what the surface's own horizon hides",
+         kLighting,
+         {by("reflection", 0), by("elevation", 1)}},
+        {"nr", "normal and reflection (Factor 64)", kLighting, {by("normal", 0), by("reflection", 1)}},
         {"nre",
-         "the same and the view's elevation: what Fresnel and the stretch of reflections do",
+         "normal and reflection, by the view's elevation",
          kLighting,
          {by("normal", 0), by("reflection", 1), by("elevation", 2)}},
-        {"nrv", "the same and the view (Factor 65)", kLighting, {by("normal", 0), by("reflection", 1), by("view", 2)}},
+        {"nrv", "normal, reflection and view (Factor 65)", kLighting, {by("normal", 0), by("reflection", 1), by("view", 2)}},
         {"nrhd",
          "normal, reflection, half and difference vector about the dominant light (Factor 70)",
          kLighting,
@@ -115,8 +132,11 @@ bool Parametrization::needs_dominant() const {
     return std::ranges::any_of(factors, [](const Factor& factor) { return factor.direction->needs_dominant; });
 }
 
-bool Parametrization::is_whole_sphere(int map) const {
-    return std::ranges::any_of(factors, [&](const Factor& f) { return f.map == map && f.direction->is_whole_sphere; });
+DirectionDomain Parametrization::domain(int map) const {
+    DirectionDomain widest = DirectionDomain::elevation;
+    for (const Factor& factor : factors)
+        if (factor.map == map) widest = std::min(widest, factor.direction->domain);
+    return widest;
 }
 
 int Parametrization::uses(int map) const { return static_cast<int>(std::ranges::count(factors, map, &Factor::map)); }
@@ -137,6 +157,8 @@ const Parametrization& parametrization_by_name(std::string_view name) {
                 "unknown parametrisation '" + std::string(name) + "'" + did_you_mean(name, names) + "; known are " + list);
 }
 
-std::string_view glsl_projections() { return kGlslProjections; }
+std::string glsl_projections(FactoredFunction of) {
+    return std::string(kGlslOfBoth) + (of == kLighting ? std::string(kGlslOfLighting) : std::string());
+}
 
 }  // namespace burnish

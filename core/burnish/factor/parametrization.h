@@ -6,8 +6,7 @@
 // tables in parametrization.cpp, the directions with their projections in C++ and in GLSL, and the parametrisations made of them.
 #pragma once
 
-#include <burnish/base/types.h>
-#include <burnish/factor/direction_map.h>
+#include <burnish/factor/factor_guide.h>
 
 #include <span>
 #include <string>
@@ -19,18 +18,16 @@ namespace burnish {
 /// What is factored: a BRDF over (wi, wo), or what a material reflects of a light over (n, wo).
 enum class FactoredFunction { brdf, lighting };
 
-/// Unit vectors.
-struct DirectionPair {
-    Vec3f a, b;
-};
+/// Where directions may lie: anywhere, at z >= 0, or where all of the same z >= 0 are the same.
+enum class DirectionDomain { sphere, hemisphere, elevation };
 
-/// A direction that maps are looked up by. `dominant`: where most of the light comes from, unit; of no use to most.
+/// A direction that maps are looked up by.
 struct ProjectedDirection {
     std::string_view name;
     FactoredFunction of;
-    bool is_whole_sphere;  // else z >= 0
-    bool needs_dominant;
-    Vec3f (*project)(const DirectionPair& pair, const Vec3f& dominant);
+    DirectionDomain domain;
+    bool needs_dominant;  // FactorGuide::dominant
+    Vec3f (*project)(const DirectionPair& pair, const FactorGuide& guide);
     std::string_view glsl;  // an expression of wi and wo, or of n, wo and dominant
 };
 
@@ -46,8 +43,8 @@ struct Parametrization {
 
     int map_count() const;
     bool needs_dominant() const;
-    /// Whether some factor that reads this map needs the whole sphere.
-    bool is_whole_sphere(int map) const;
+    /// Of the directions that this map is read by: the widest of their domains.
+    DirectionDomain domain(int map) const;
     /// How many factors read this map: f(k) of Factor 4.3.1.
     int uses(int map) const;
 };
@@ -57,7 +54,8 @@ std::span<const Parametrization> parametrizations();
 /// Throws Error(bad_argument) with the known names and the nearest one.
 const Parametrization& parametrization_by_name(std::string_view name);
 
-/// GLSL functions that the expressions of ProjectedDirection::glsl call.
-std::string_view glsl_projections();
+/// GLSL functions that the expressions of ProjectedDirection::glsl call. Those of lighting read a `vec2 reflection_curve[]` of
+/// (towards_n, towards_r), which is to be declared before them.
+std::string glsl_projections(FactoredFunction of);
 
 }  // namespace burnish

@@ -11,6 +11,7 @@ namespace burnish {
 namespace {
 
 class EveryMapping : public testing::TestWithParam<Mapping> {};
+class FullMapping : public testing::TestWithParam<Mapping> {};  // of both angles
 
 /// A golden spiral over the sphere, or its upper half.
 std::vector<Vec3f> directions(int count, bool whole_sphere) {
@@ -40,7 +41,7 @@ TEST_P(EveryMapping, GivesDirectionsBackAtTexelMiddles) {
     }
 }
 
-TEST_P(EveryMapping, BlendsTexelsAroundTheDirection) {
+TEST_P(FullMapping, BlendsTexelsAroundTheDirection) {
     const DirectionMap map(GetParam(), 64);
     const bool steep = GetParam() == Mapping::hemispherical;  // texels are long where it nears the horizon
     for (const Vec3f& d : directions(2000, map.is_whole_sphere())) {
@@ -64,7 +65,7 @@ TEST_P(EveryMapping, CoversItsDirectionsOnce) {
     EXPECT_NEAR(moment / std::numbers::pi, 1, 0.01);
 }
 
-TEST_P(EveryMapping, IsContinuousAcrossSeams) {
+TEST_P(FullMapping, IsContinuousAcrossSeams) {
     const DirectionMap map(GetParam(), 32);
     std::vector<float> texels(map.texels());
     const auto value = [](const Vec3f& d) { return d.x + 0.5f * d.y - 0.7f * d.z + d.x * d.y; };
@@ -106,9 +107,24 @@ TEST_P(EveryMapping, NamesNeighboursBothWays) {
 
 TEST_P(EveryMapping, HasAName) { EXPECT_EQ(mapping_by_name(mapping_name(GetParam())), GetParam()); }
 
+constexpr auto kName = [](const testing::TestParamInfo<Mapping>& info) { return std::string(mapping_name(info.param)); };
+
 INSTANTIATE_TEST_SUITE_P(, EveryMapping,
+                         testing::Values(Mapping::hemispherical, Mapping::parabolic, Mapping::double_parabolic, Mapping::cube,
+                                         Mapping::elevation),
+                         kName);
+INSTANTIATE_TEST_SUITE_P(, FullMapping,
                          testing::Values(Mapping::hemispherical, Mapping::parabolic, Mapping::double_parabolic, Mapping::cube),
-                         [](const auto& info) { return std::string(mapping_name(info.param)); });
+                         kName);
+
+TEST(DirectionMap, OfElevationsIsLinearInTheCosine) {
+    const DirectionMap map(Mapping::elevation, 9);
+    EXPECT_EQ(map.texels(), 9);
+    const BlendedTexels blend = map.lookup({0.6f, -0.8f * std::sqrt(1 - 0.3f * 0.3f / 0.64f), 0.3f});
+    float z = 0;
+    for (int i = 0; i < 4; ++i) z += blend.weight[i] * map.direction(blend.texel[i]).z;
+    EXPECT_NEAR(z, 0.3f, 1e-6f);
+}
 
 TEST(DirectionMap, RefusesWhatCannotBe) {
     EXPECT_THROW(DirectionMap(Mapping::cube, 3), Error);

@@ -25,12 +25,13 @@ std::vector<DirectionPair> pairs(FactoredFunction of, int count) {
 }
 
 TEST(Parametrization, ProjectsToUnitVectorsWhereTheMapsAre) {
-    const Vec3f dominant = Vec3f(1, 2, 3) / std::sqrt(14.0f);
+    FactorGuide guide;
+    guide.dominant = Vec3f(1, 2, 3) / std::sqrt(14.0f);
     for (const ProjectedDirection& direction : projected_directions())
         for (const DirectionPair& pair : pairs(direction.of, 500)) {
-            const Vec3f d = direction.project(pair, dominant);
+            const Vec3f d = direction.project(pair, guide);
             EXPECT_NEAR(d.length(), 1, 1e-4f) << direction.name;
-            EXPECT_TRUE(direction.is_whole_sphere || d.z >= -1e-4f) << direction.name;
+            EXPECT_TRUE(direction.domain == DirectionDomain::sphere || d.z >= -1e-4f) << direction.name;
         }
 }
 
@@ -46,7 +47,8 @@ TEST(Parametrization, HalfAndDifferenceTellThePair) {
 
 TEST(Parametrization, SeesOneLightTheSameFromAllSides) {
     // Turned about the light, an isotropic surface lit by it alone looks the same: so do the dominant directions.
-    const Vec3f dominant = Vec3f(2, -1, 2) / 3.0f;
+    FactorGuide guide;
+    const Vec3f dominant = guide.dominant = Vec3f(2, -1, 2) / 3.0f;
     const auto turned = [&](const Vec3f& v, float angle) {
         return v * std::cos(angle) + dominant.cross(v) * std::sin(angle) + dominant * (dominant.dot(v) * (1 - std::cos(angle)));
     };
@@ -54,8 +56,8 @@ TEST(Parametrization, SeesOneLightTheSameFromAllSides) {
         if (!factor.direction->needs_dominant) continue;
         for (const DirectionPair& pair : pairs(FactoredFunction::lighting, 100)) {
             if (std::fabs(pair.a.dot(dominant)) > 0.99f || pair.b.dot(dominant) < -0.9f) continue;
-            const Vec3f d = factor.direction->project(pair, dominant);
-            const Vec3f other = factor.direction->project({turned(pair.a, 1), turned(pair.b, 1)}, dominant);
+            const Vec3f d = factor.direction->project(pair, guide);
+            const Vec3f other = factor.direction->project({turned(pair.a, 1), turned(pair.b, 1)}, guide);
             EXPECT_LT((d - other).length(), 1e-3f) << factor.direction->name;
         }
     }
