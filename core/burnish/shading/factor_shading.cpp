@@ -32,7 +32,7 @@ void place_block(const FactorShading& shading, const SurfaceBatch& batch, const 
                  size_t count, PlacedLookups* placed) {
     for (size_t i = 0; i < count; i += hn::Lanes(Lanes())) {
         const LitPixels pixels{turned(load(batch.n, begin + i), world_to_light),
-                               turned(load(batch.wo, begin + i), world_to_light), shading.dominant()};
+                               turned(load(batch.wo, begin + i), world_to_light), shading.guide()};
         for (const FactorShading::Lookup& lookup : shading.lookups())
             place_lookups(shading.textures()[lookup.texture], direction_of(lookup, pixels), i, *placed++);
         placed -= shading.lookups().size();
@@ -99,12 +99,14 @@ void append_cube(const FactorMap& map, std::vector<float>& rgba) {
 FactorShading::Texture texture_of(const std::vector<FactorTerm>& terms, size_t map) {
     const DirectionMap& layout = terms[0][map].layout;
     const bool is_cube = layout.mapping() == Mapping::cube;
+    const int rows = layout.height() == 1 ? 2 : 1;  // of what is there
     FactorShading::Texture texture{layout.mapping(), layout.size(), is_cube ? layout.size() + 2 : layout.width(), {}, 0};
     for (const FactorTerm& term : terms) {
         if (is_cube)
             append_cube(term[map], texture.rgba);
         else
-            for (const Color3f& c : term[map].texels) append(c, texture.rgba);
+            for (int row = 0; row < rows; ++row)
+                for (const Color3f& c : term[map].texels) append(c, texture.rgba);
     }
     texture.term_floats = texture.rgba.size() / terms.size();
     return texture;
@@ -112,8 +114,7 @@ FactorShading::Texture texture_of(const std::vector<FactorTerm>& terms, size_t m
 
 }  // namespace
 
-FactorShading::FactorShading(const Factors& factors)
-    : m_dominant(factors.dominant), m_terms(static_cast<int>(factors.terms.size())) {
+FactorShading::FactorShading(const Factors& factors) : m_guide(factors.guide), m_terms(static_cast<int>(factors.terms.size())) {
     const Parametrization& parametrization = *factors.parametrization;
     if (parametrization.of != FactoredFunction::lighting)
         throw Error(ErrorCode::bad_argument, "maps of parametrisation '" + parametrization.name +

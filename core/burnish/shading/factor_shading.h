@@ -1,6 +1,7 @@
 // Shading by the maps of a factored light: a few lookups a pixel and their product, whatever the number of lobes and lamps.
 //
-// Maps are kept as RGBA, cubes with a border of their neighbours' texels, so that every bilinear lookup reads two texels of two rows.
+// Maps are kept as RGBA, cubes with a border of their neighbours' texels and what is one row as two, so that every bilinear lookup
+// reads two texels of two rows.
 #pragma once
 
 #include <burnish/factor/factors.h>
@@ -31,7 +32,7 @@ public:
     /// One map of every term.
     struct Texture {
         Mapping mapping;
-        int size, stride;         // texels along a side of a disc or face, and from row to row
+        int size, stride;         // texels along a side of a disc or face or of the row, and from row to row
         std::vector<float> rgba;  // term after term
         size_t term_floats;       // of each
     };
@@ -44,12 +45,12 @@ public:
     const std::vector<Texture>& textures() const { return m_textures; }
     const std::vector<Lookup>& lookups() const { return m_lookups; }
     int terms() const { return m_terms; }
-    const Vec3f& dominant() const { return m_dominant; }
+    const FactorGuide& guide() const { return m_guide; }
 
 private:
     std::vector<Texture> m_textures;
     std::vector<Lookup> m_lookups;
-    Vec3f m_dominant;
+    FactorGuide m_guide;
     int m_terms;
 };
 

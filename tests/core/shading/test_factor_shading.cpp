@@ -1,5 +1,6 @@
 // The kernel of factored maps against Factors::operator(), for every parametrisation, mapping and instruction set.
 #include "core/light/light_pictures.h"
+#include "core/scenes.h"
 #include "core/simd_targets.h"
 
 #include <burnish/base/error.h>
@@ -18,7 +19,9 @@ namespace {
 Factors noise(const Parametrization& parametrization, Mapping sphere, int size, int terms) {
     Directions random;
     Factors factors = uniform_factors(parametrization, sphere, size);
-    factors.dominant = Vec3f(2, -1, 2) / 3.0f;
+    static const FactorGuide rough = FactorGuide::of({"rough", Color3f(0), {scenes::lobe_of(ModelId::ggx, 0.4f, 0.4f)}});
+    factors.guide = rough;
+    factors.guide.dominant = Vec3f(2, -1, 2) / 3.0f;
     factors.terms.resize(static_cast<size_t>(terms), factors.terms[0]);
     for (size_t term = 0; term < factors.terms.size(); ++term)
         for (FactorMap& map : factors.terms[term])
@@ -81,12 +84,13 @@ TEST(FactorShading, AddsUpSignedTermsAndCutsOffBelowZero) {
 
 /// A direction of a parametrisation that the kernel knows nothing of.
 TEST(FactorShading, TakesDirectionsOfItsOwn) {
-    static const ProjectedDirection kBetween{"between",
-                                             FactoredFunction::lighting,
-                                             true,
-                                             false,
-                                             [](const DirectionPair& p, const Vec3f&) { return (p.a + p.b).normalized(); },
-                                             "normalize(n + wo)"};
+    static const ProjectedDirection kBetween{
+        "between",
+        FactoredFunction::lighting,
+        DirectionDomain::sphere,
+        false,
+        [](const DirectionPair& p, const FactorGuide&) { return (p.a + p.b).normalized(); },
+        "normalize(n + wo)"};
     const Parametrization own{"own", "", FactoredFunction::lighting, {{&kBetween, 0}, {&kBetween, 0}}};
     expect_as_the_factors_say(noise(own, Mapping::double_parabolic, 8, 1), "own");
 }
