@@ -67,7 +67,7 @@ Worn worn(const Wardrobe& wardrobe, size_t rule, const std::optional<LobeChoice>
     const Material& material = wardrobe.materials[rule];
     std::string kind = "new";
     if (!lobes || lobes->size() == material.lobes.size()) return {kind + " " + name, material, find(wardrobe.factors, name)};
-    for (const size_t lobe : *lobes) kind += " " + std::to_string(lobe);
+    for (const size_t lobe : *lobes) kind += ' ' + std::to_string(lobe);
     return {kind + " " + name, with_lobes(material, *lobes)};
 }
 
