@@ -11,6 +11,8 @@
 namespace burnish {
 namespace {
 
+constexpr float kLeastCosine = 1e-4f;  // n . wo: below it, rounding decides whether the surface is seen at all
+
 /// A direction of the grid and the solid angle it stands for.
 struct GridDirection {
     Vec3f d;
@@ -41,7 +43,7 @@ struct ViewsOf {
             ViewWeight weight) {
         for (const GridDirection& view : views) {
             const float cosine = normal.d.dot(view.d);
-            if (cosine <= 0) continue;
+            if (cosine < kLeastCosine) continue;
             const float seen = cosine * normal.solid_angle * view.solid_angle;
             samples.push_back({{normal.d, view.d}, Color3f(0, 0, 0), weight == ViewWeight::projected ? seen : 1});
             batch.pixel.push_back(static_cast<uint32_t>(batch.pixel.size()));

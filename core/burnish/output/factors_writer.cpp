@@ -1,0 +1,47 @@
+#include <burnish/output/factors_writer.h>
+
+#include <burnish/base/error.h>
+#include <burnish/factor/factors_file.h>
+#include <burnish/output/exr_writer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <list>
+
+namespace burnish {
+namespace {
+
+constexpr float kLargestHalf = 65504;
+
+Image picture_of(const FactorMap& map) {
+    Image picture(map.layout.width(), map.layout.height(), 3);
+    for (size_t i = 0; i < picture.pixel_count(); ++i) std::copy_n(&map.texels[i].x, 3, picture.at(i));
+    return picture;
+}
+
+bool fits_half(const Image& picture) {
+    return std::ranges::all_of(picture.data, [](float value) { return std::fabs(value) <= kLargestHalf; });
+}
+
+}  // namespace
+
+void write_factors(const std::string& file, const StoredFactors& stored) {
+    if (std::filesystem::path(file).extension() != ".exr")
+        throw Error(ErrorCode::bad_argument, file + ": factors are written as EXR; end the name in .exr");
+    std::list<Image> pictures;  // parts point to them
+    std::vector<OutputPart> parts;
+    AovFrame frame;
+    for (size_t term = 0; term < stored.factors.terms.size(); ++term)
+        for (int map = 0; map < stored.factors.parametrization->map_count(); ++map) {
+            const Image& picture = pictures.emplace_back(picture_of(stored.factors.terms[term][map]));
+            parts.push_back({map_name(*stored.factors.parametrization, map, term), {{{"R", "G", "B"}, &picture}}});
+            frame.display_window.width = std::max(frame.display_window.width, picture.width);
+            frame.display_window.height = std::max(frame.display_window.height, picture.height);
+        }
+    const PixelType type = std::ranges::all_of(pictures, fits_half) ? PixelType::half : PixelType::float32;
+    write_exr_parts(file, frame, parts, type, {{kFactorsAttribute, factors_to_json(stored).dump()}});
+}
+
+}  // namespace burnish
