@@ -20,6 +20,7 @@ Run add_models(CLI::App& app);
 Run add_demo(CLI::App& app);
 Run add_bake(CLI::App& app);
 Run add_fit(CLI::App& app);
+Run add_factor(CLI::App& app);
 Run add_tabulate(CLI::App& app);
 Run add_preview(CLI::App& app);
 Run add_calibrate(CLI::App& app);

@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
     commands["demo"] = cli::add_demo(app);
     commands["bake"] = cli::add_bake(app);
     commands["fit"] = cli::add_fit(app);
+    commands["factor"] = cli::add_factor(app);
     commands["tabulate"] = cli::add_tabulate(app);
     commands["preview"] = cli::add_preview(app);
     commands["calibrate"] = cli::add_calibrate(app);

@@ -104,4 +104,8 @@ void add_setting_options(CLI::App& command, json& values, std::string_view secti
     }
 }
 
+void add_setting_option(CLI::App& command, json& values, std::string_view name) {
+    add_option(command, *std::ranges::find(settings(), name, &Setting::name), values);
+}
+
 }  // namespace burnish::cli

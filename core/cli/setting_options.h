@@ -13,6 +13,9 @@ namespace burnish::cli {
 /// outlive the parsing.
 void add_setting_options(CLI::App& command, nlohmann::json& values, std::string_view section = "all");
 
+/// The same for one setting, by its name.
+void add_setting_option(CLI::App& command, nlohmann::json& values, std::string_view name);
+
 /// Repeated flags add to what is there: objects gain keys, lists grow.
 void merge(nlohmann::json& held, const nlohmann::json& more);
 

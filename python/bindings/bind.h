@@ -14,6 +14,7 @@ void bind_bandwidth(pybind11::module_& module);
 void bind_frame(pybind11::module_& module);
 void bind_job(pybind11::module_& module);
 void bind_fit(pybind11::module_& module);
+void bind_factor(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_preview(pybind11::module_& module);
 void bind_shot(pybind11::module_& module);

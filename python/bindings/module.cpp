@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
     bind_frame(module);
     bind_job(module);
     bind_fit(module);
+    bind_factor(module);
     bind_files(module);
     bind_preview(module);
     bind_shot(module);

@@ -13,10 +13,11 @@ from __future__ import annotations
 from os import PathLike as _PathLike
 from typing import TYPE_CHECKING as _TYPE_CHECKING, Any as _Any
 
-from ._core import Environment, Frame, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
+from ._core import Environment, Factors, Frame, LightBandwidth, Lobe, LobeBandwidth, Measured, __version__
 from . import _core, _documentation
 from ._bandwidth import local_bandwidth
 from ._compositing import composite, refine
+from ._factoring import factor, read_factors
 from ._fitting import fit
 from ._image_buffers import to_imagebuf
 from ._shot import Frames, Shot
@@ -47,6 +48,7 @@ __all__ = [
     "ColorSpaceError",
     "Environment",
     "Error",
+    "Factors",
     "Frame",
     "Frames",
     "FramesFailed",
@@ -63,6 +65,7 @@ __all__ = [
     "check_energy",
     "compare",
     "composite",
+    "factor",
     "fit",
     "info",
     "library",
@@ -70,6 +73,7 @@ __all__ = [
     "models",
     "presets",
     "preview",
+    "read_factors",
     "read_materials",
     "read_measured",
     "refine",

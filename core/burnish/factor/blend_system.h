@@ -1,8 +1,8 @@
 // The linear least squares behind a factorisation, per channel:
 //
-//     minimise  sum over samples s of ( sum over factors j of  c_sj lookup_j(d x) - b_s )^2  +  weight x^T R x
+//     minimise  sum over samples s of ( sum over factors j of  c_sj lookup_j(d x) - b_s )^2  +  x^T W R x
 //
-// x: all texels; d: a scale of each, and of the lookups c: both come from linearising. Solved by conjugate gradients on the normal
+// x: all texels; d: a scale of each, and of the lookups c: both come from linearising; W: see `smoothness_weight`. Solved by conjugate gradients on the normal
 // equations, of which no matrix is built: one pass over the samples both looks up and adds to texels. Chunks of samples add to sums of
 // their own, so that results are the same bits for any thread count.
 #pragma once
@@ -19,13 +19,17 @@ struct BlendSystem {
     Colors c;  // samples * factors rows
     Colors b;  // samples
     Colors d;  // texels
-    /// Of R against the samples: 1 weighs a texel's row of R as much as the samples that read it, on average over all texels.
-    float weight = 0;
 };
+
+/// The diagonal of the normal matrix without R, leaving out that a row may read a texel twice.
+Colors sample_diagonal(const BlendSystem& system);
+
+/// What rows of R are multiplied with: as much as the samples that read a texel count for, on average over its map.
+Colors smoothness_weight(const SampleLookups& lookups, const Colors& sample_diagonal);
 
 struct SolveLimits {
     int iterations;
-    float tolerance;  // of the gradient's length (preconditioned), relative to that without x
+    float tolerance;  // of the gradient's length (preconditioned), relative to that at the start
 };
 
 /// From x on. Channels that are zero everywhere stay as they are.

@@ -10,20 +10,23 @@
 
 namespace burnish {
 
-/// Which error is made least, its square on average over samples and channels.
+/// Which error is made least, on average over samples and channels.
 enum class FactorMeasure {
-    relative,  // to the value itself
-    display,   // as shown with the mean at middle grey (display.h)
-    absolute,
+    relative,  // |error| / (value + bias)
+    display,   // the square of the error as shown with the mean at middle grey (display.h)
+    absolute,  // the square of the error
 };
 
 struct FactoriseSettings {
     int size = 64;                               // texels a side of a disc or face
     Mapping sphere = Mapping::double_parabolic;  // of directions all around
-    float smoothness = 0.02f;                    // lambda: what a texel's Laplacian counts against the samples that read it
-    float bias = 1e-5f;                          // epsilon: of the mean, added before logarithms are taken
-    int iterations = 200;                        // of conjugate gradients, at most
-    float tolerance = 1e-4f;                     // of the gradient
+    FactorMeasure measure = FactorMeasure::relative;
+    float smoothness = 0.02f;  // lambda: what a texel's Laplacian counts against the samples that read it
+    float bias = 1e-5f;        // epsilon: of the mean, added before logarithms are taken
+    int iterations = 200;      // of conjugate gradients, at most
+    float tolerance = 1e-4f;   // of the gradient
+    int terms = 1;             // products that are summed; those after the first have signs
+    bool polish = true;        // else the error of logarithms is made least, with one term only
 };
 
 /// Throws Error(bad_argument) for no samples, for directions, values or weights

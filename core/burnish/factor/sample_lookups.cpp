@@ -6,12 +6,8 @@ namespace burnish {
 
 SampleLookups::SampleLookups(const Factors& factors, std::span<const FactorSample> samples)
     : m_terms(static_cast<int>(factors.terms.size())), m_factors(static_cast<int>(factors.parametrization->factors.size())) {
-    std::vector<int> first;
     for (const FactorTerm& term : factors.terms)
-        for (const FactorMap& map : term) {
-            first.push_back(m_texels);
-            m_texels += map.layout.texels();
-        }
+        for (const FactorMap& map : term) m_first.push_back(m_first.back() + map.layout.texels());
     m_blends.resize(samples.size() * static_cast<size_t>(m_terms * m_factors));
     const auto& rows = factors.parametrization->factors;
     const int maps = factors.parametrization->map_count();
@@ -23,7 +19,7 @@ SampleLookups::SampleLookups(const Factors& factors, std::span<const FactorSampl
                 for (int term = 0; term < m_terms; ++term) {
                     BlendedTexels& own = m_blends[(static_cast<size_t>(s) * m_terms + term) * m_factors + j];
                     own = blend;
-                    for (int& texel : own.texel) texel += first[term * maps + rows[j].map];
+                    for (int& texel : own.texel) texel += m_first[term * maps + rows[j].map];
                 }
             }
     });

@@ -23,7 +23,9 @@ public:
     int samples() const { return static_cast<int>(m_blends.size()) / factors(); }
     int factors() const { return m_terms * m_factors; }  // of all terms
     int terms() const { return m_terms; }
-    int texels() const { return m_texels; }
+    int texels() const { return m_first.back(); }
+    /// Where the texels of each map of each term begin, and where all end.
+    std::span<const int> first_texels() const { return m_first; }
 
     /// One for each factor of a sample, term by term.
     std::span<const BlendedTexels> of(int sample) const {
@@ -35,7 +37,8 @@ public:
     int chunk_begin(int chunk) const { return static_cast<int>(static_cast<int64_t>(samples()) * chunk / kChunks); }
 
 private:
-    int m_terms, m_factors, m_texels = 0;
+    int m_terms, m_factors;
+    std::vector<int> m_first{0};
     std::vector<BlendedTexels> m_blends;
 };
 

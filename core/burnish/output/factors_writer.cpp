@@ -1,8 +1,10 @@
 #include <burnish/output/factors_writer.h>
 
 #include <burnish/base/error.h>
+#include <burnish/base/json_fields.h>
 #include <burnish/factor/factors_file.h>
 #include <burnish/output/exr_writer.h>
+#include <burnish/output/preview.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,13 @@ constexpr float kLargestHalf = 65504;
 Image picture_of(const FactorMap& map) {
     Image picture(map.layout.width(), map.layout.height(), 3);
     for (size_t i = 0; i < picture.pixel_count(); ++i) std::copy_n(&map.texels[i].x, 3, picture.at(i));
+    return picture;
+}
+
+Image picture_of(const QuantisedMap& map) {
+    Image picture(map.layout.width(), map.layout.height(), 4);
+    for (size_t i = 0; i < picture.pixel_count(); ++i)
+        std::ranges::transform(map.texels[i], picture.at(i), [](uint8_t byte) { return static_cast<float>(byte) / 255; });
     return picture;
 }
 
@@ -42,6 +51,31 @@ void write_factors(const std::string& file, const StoredFactors& stored) {
         }
     const PixelType type = std::ranges::all_of(pictures, fits_half) ? PixelType::half : PixelType::float32;
     write_exr_parts(file, frame, parts, type, {{kFactorsAttribute, factors_to_json(stored).dump()}});
+}
+
+nlohmann::json eight_bit_to_json(const QuantisedFactors& eight_bit) {
+    nlohmann::json prescale = nlohmann::json::array();
+    for (const float s : eight_bit.prescale) prescale.push_back(to_json_number(s));
+    return {{"formula", "white * min(color * product of rgb * scale, 1) * product of alpha"},
+            {"white", to_json_number(eight_bit.white)},
+            {"color", to_json_color(eight_bit.color)},
+            {"scale", to_json_number(eight_bit.scale)},
+            {"prescale", prescale}};
+}
+
+std::vector<std::string> write_quantised(const std::string& folder, const std::string& name, const StoredFactors& stored,
+                                         const QuantisedFactors& eight_bit) {
+    const std::string stem = (std::filesystem::path(folder) / name).string();
+    std::vector<std::string> files;
+    for (size_t map = 0; map < eight_bit.maps.size(); ++map) {
+        files.push_back(stem + '_' + map_name(*eight_bit.parametrization, static_cast<int>(map)) + ".png");
+        write_code_values(files.back(), picture_of(eight_bit.maps[map]));
+    }
+    nlohmann::json beside = factors_to_json(stored);
+    beside["eight_bit"] = eight_bit_to_json(eight_bit);
+    files.push_back(stem + ".json");
+    write_text(files.back(), beside.dump(2) + "\n");
+    return files;
 }
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-#include <burnish/base/error.h>
 #include <burnish/base/atomic_file.h>
+#include <burnish/base/error.h>
 #include <burnish/output/preview.h>
 
 #include <OpenImageIO/filesystem.h>
@@ -44,28 +44,31 @@ std::string lower_extension(const std::string& file) {
     return extension;
 }
 
-OIIO::ImageSpec png_spec(const std::string& file, int width, int height) {
+OIIO::ImageSpec png_spec(const std::string& file, int width, int height, int channels) {
     if (lower_extension(file) != ".png")
         throw Error(ErrorCode::bad_argument, file + ": previews are PNG files; end the name in .png");
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
+    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeUInt8);
+    if (channels == 3)
+        spec.attribute("oiio:ColorSpace", "sRGB");
+    else
+        spec.attribute("oiio:UnassociatedAlpha", 1);
     return spec;
 }
 
 /// A PNG of which rows are appended from the top: there when finished, else never.
 class PngFile {
 public:
-    PngFile(const std::string& file, int width, int height)
-        : m_spec(png_spec(file, width, height)),
+    PngFile(const std::string& file, int width, int height, int channels = 3)
+        : m_spec(png_spec(file, width, height, channels)),
           m_target(file),
           m_stream(m_target.handle(), OIIO::Filesystem::IOProxy::Write),
           m_output(OIIO::ImageOutput::create("png", &m_stream)) {
         if (!m_output || !m_output->open(file, m_spec)) m_target.fail(m_output ? m_output->geterror() : OIIO::geterror());
     }
 
-    void append(const Image& rgb, int above, int below) {
-        const int count = rgb.height - above - below;
-        if (!m_output->write_scanlines(m_rows, m_rows + count, 0, OIIO::TypeFloat, rgb.at(0, above)))
+    void append(const Image& picture, int above, int below) {
+        const int count = picture.height - above - below;
+        if (!m_output->write_scanlines(m_rows, m_rows + count, 0, OIIO::TypeFloat, picture.at(0, above)))
             m_target.fail(m_output->geterror());
         m_rows += count;
     }
@@ -101,9 +104,9 @@ void PreviewWriter::append(const Image& image, int above, int below) {
 
 void PreviewWriter::finish() { m_state->png.finish(); }
 
-void write_code_values(const std::string& file, const Image& rgb) {
-    PngFile png(file, rgb.width, rgb.height);
-    png.append(rgb, 0, 0);
+void write_code_values(const std::string& file, const Image& picture) {
+    PngFile png(file, picture.width, picture.height, picture.channels);
+    png.append(picture, 0, 0);
     png.finish();
 }
 

@@ -37,8 +37,9 @@ private:
 /// Whole or not at all. Throws Error(bad_argument) for another file extension, Error(color_space), Error(write_failed).
 void write_preview(const std::string& file, const Image& image, const PreviewSettings& settings);
 
-/// Writes display code values in [0, 1] as they are, three channels: pictures that are keys to numbers. Throws as write_preview.
-void write_code_values(const std::string& file, const Image& rgb);
+/// Writes code values in [0, 1] as they are, three channels, or four where alpha is a number like the others: pictures that are keys to
+/// numbers. Throws as write_preview.
+void write_code_values(const std::string& file, const Image& picture);
 
 /// Two images of the same height side by side, a thin line between them. Throws Error(size_mismatch).
 void write_before_after(const std::string& file, const Image& before, const Image& after, const PreviewSettings& settings);
