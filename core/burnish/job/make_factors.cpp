@@ -145,13 +145,17 @@ FactorReport make_factors(const FactorJob& job, std::shared_ptr<const Environmen
 }
 
 json factor_report_to_json(const FactorReport& report) {
-    json result = factors_to_json(report.stored), seconds = json::object();
+    json seconds = json::object();
     for (const auto& [stage, elapsed] : report.seconds) seconds[stage] = elapsed;
-    result["samples"] = report.samples, result["error"] = error_to_json(report.error);
+    json result = {{"parametrization", report.stored.factors.parametrization->name},
+                   {"terms", report.stored.factors.terms.size()},
+                   {"samples", report.samples},
+                   {"error", error_to_json(report.error)},
+                   {"seconds", seconds},
+                   {"files", report.files}};
     if (report.picture_error) result["eight_bit_error"] = error_to_json(*report.picture_error);
     if (report.pictures) result["eight_bit"] = eight_bit_to_json(*report.pictures);
     if (report.display_psnr_db) result["display_psnr_db"] = *report.display_psnr_db;
-    result["seconds"] = seconds, result["files"] = report.files;
     return result;
 }
 
