@@ -72,6 +72,7 @@ struct Job {
 
     QualityTarget target;  // set: it decides on estimator and density, whose settings count for nothing but where they forbid
     EstimatorSettings estimator;
+    std::map<std::string, std::string> factors;  // estimator factored: file of the maps, by material
     DensitySettings density;
     SurfaceSettings surface;
     CompositeSettings composite;

@@ -49,16 +49,32 @@ void warn_of_energy(const std::string& name, const Material& material, std::vect
     warnings.push_back("material '" + name + "' creates energy: it reflects " + numbers + "; lower its strength");
 }
 
-/// A material with what is left of its lobes, and what its tables are called: an old one may have the name of a new one.
+const Factors* find(const std::map<std::string, Factors>& all, const std::string& name) {
+    const auto found = all.find(name);
+    return found == all.end() ? nullptr : &found->second;
+}
+
+/// A material with what is left of its lobes, what its tables are called, as an old one may have the name of a new one, and the maps
+/// that were given for all of it.
 struct Worn {
     std::string name;
     Material material;
+    const Factors* maps = nullptr;
 };
 
-Worn worn(std::string kind, const std::string& name, const Material& material, const std::optional<LobeChoice>& lobes) {
-    if (!lobes || lobes->size() == material.lobes.size()) return {kind + " " + name, material};
-    for (const size_t lobe : *lobes) kind += " " + std::to_string(lobe);
+Worn worn(const Wardrobe& wardrobe, size_t rule, const std::optional<LobeChoice>& lobes) {
+    const std::string& name = wardrobe.rules[rule].material;
+    const Material& material = wardrobe.materials[rule];
+    std::string kind = "new";
+    if (!lobes || lobes->size() == material.lobes.size()) return {kind + " " + name, material, find(wardrobe.factors, name)};
+    for (const size_t lobe : *lobes) kind += ' ' + std::to_string(lobe);
     return {kind + " " + name, with_lobes(material, *lobes)};
+}
+
+Worn worn_before(const Wardrobe& wardrobe, size_t rule) {
+    const std::string& name = wardrobe.rules[rule].material;
+    const std::string kind = "old";
+    return {kind + " " + name, wardrobe.old_materials[rule], find(wardrobe.old_factors, name)};
 }
 
 }  // namespace
@@ -102,21 +118,19 @@ Equipment equip(const Look& look, const std::vector<LitRule>& looks, const std::
     for (size_t i = 0; i < looks.size(); ++i) {
         const auto& [rule, chain] = looks[i];
         const ShadingSettings& settings = settings_of(i);
-        const std::string& name = wardrobe.rules[rule].material;
         const auto add = [&](const Worn& own, auto& shaders, auto& predictors) {
-            shaders.push_back(look.ready->shader(own.name, own.material, look.rig, chain, settings.estimator));
+            shaders.push_back(look.ready->shader(own.name, own.material, look.rig, chain, settings.estimator, own.maps));
             if (sparse) predictors.push_back(look.ready->predictor(own.name, own.material, look.rig, chain, settings.density));
         };
-        add(worn("new", name, wardrobe.materials[rule], settings.lobes), equipment.shaders, equipment.predictors);
-        if (!wardrobe.old_materials.empty())
-            add(worn("old", name, wardrobe.old_materials[rule], {}), equipment.old_shaders, equipment.old_predictors);
+        add(worn(wardrobe, rule, settings.lobes), equipment.shaders, equipment.predictors);
+        if (!wardrobe.old_materials.empty()) add(worn_before(wardrobe, rule), equipment.old_shaders, equipment.old_predictors);
     }
     return equipment;
 }
 
 MaterialShader equip_shader(const Look& look, const LitRule& lit, const ShadingSettings& shading) {
-    const Worn own = worn("new", look.wardrobe.rules[lit.rule].material, look.wardrobe.materials[lit.rule], shading.lobes);
-    return look.ready->shader(own.name, own.material, look.rig, lit.chain, shading.estimator);
+    const Worn own = worn(look.wardrobe, lit.rule, shading.lobes);
+    return look.ready->shader(own.name, own.material, look.rig, lit.chain, shading.estimator, own.maps);
 }
 
 }  // namespace burnish

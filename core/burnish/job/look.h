@@ -1,6 +1,7 @@
 // What a job shows: who wears which material, and the lights, prepared once and used for every frame.
 #pragma once
 
+#include <burnish/factor/factors.h>
 #include <burnish/input/frame.h>
 #include <burnish/job/assign_lights.h>
 #include <burnish/job/job.h>
@@ -9,6 +10,7 @@
 #include <burnish/shading/material_shader.h>
 #include <burnish/shading/predictor.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +26,8 @@ struct Wardrobe {
     std::vector<Material> materials;
     std::vector<Material> old_materials;  // mode difference only
     std::vector<DiffuseReflectance> kd;
+    /// Estimator factored: maps that were made beforehand, by the rule's material; of the old one in its place.
+    std::map<std::string, Factors> factors, old_factors;
     std::vector<std::string> warnings;  // materials that create energy
 };
 

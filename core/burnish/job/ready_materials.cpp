@@ -8,8 +8,8 @@ namespace {
 
 bool same(const EstimatorSettings& a, const EstimatorSettings& b) {
     const auto fields = [](const EstimatorSettings& s) {
-        const auto& [kind, samples, adaptive, pattern, border, quadrature, bias, correction, tolerance, most] = s;
-        return std::tie(kind, samples, adaptive, pattern, border, quadrature, bias, correction, tolerance, most);
+        const auto& [kind, samples, adaptive, pattern, border, quadrature, bias, correction, tolerance, most, maps, size] = s;
+        return std::tie(kind, samples, adaptive, pattern, border, quadrature, bias, correction, tolerance, most, maps, size);
     };
     return fields(a) == fields(b);
 }
@@ -22,20 +22,17 @@ bool same(const DensitySettings& a, const DensitySettings& b) {
     return fields(a) == fields(b);
 }
 
-/// What shades or predicts under the chain: by the tables of `all` that were made so, or by new ones.
-template <class Distant, class Shared, class All, class Settings>
+/// What shades or predicts under the chain: by the tables of `all` that were made so, or by new ones; `distant` makes those of the
+/// environment alone.
+template <class Distant, class Shared, class All, class Settings, class Make>
 Distant ready(All& all, const std::string& name, const Material& material, const Rig& rig, const RigChain& chain,
-              const Settings& settings) {
-    using Tables = std::variant<Distant, std::shared_ptr<const Shared>>;
+              const Settings& settings, const Make& distant) {
     const bool is_distant = rig.is_distant(chain);
     auto made = std::ranges::find_if(all, [&](const auto& own) {
         return own.name == name && std::holds_alternative<Distant>(own.tables) == is_distant && same(own.settings, settings);
     });
-    if (made == all.end()) {
-        Tables tables = is_distant ? Tables(Distant(material, *rig.environment(), settings))
-                                   : Tables(std::make_shared<const Shared>(material, settings));
-        made = all.insert(all.end(), {name, settings, std::move(tables)});
-    }
+    if (made == all.end() && is_distant) made = all.insert(made, {name, settings, distant()});
+    if (made == all.end()) made = all.insert(made, {name, settings, std::make_shared<const Shared>(material, settings)});
     if (is_distant) return std::get<Distant>(made->tables);
     return Distant(std::get<std::shared_ptr<const Shared>>(made->tables), rig.chain(chain));
 }
@@ -43,13 +40,19 @@ Distant ready(All& all, const std::string& name, const Material& material, const
 }  // namespace
 
 MaterialShader ReadyMaterials::shader(const std::string& name, const Material& material, const Rig& rig, const RigChain& chain,
-                                      const EstimatorSettings& settings) {
-    return ready<MaterialShader, MaterialTaps>(m_shaders, name, material, rig, chain, settings);
+                                      const EstimatorSettings& settings, const Factors* maps) {
+    return ready<MaterialShader, MaterialTaps>(m_shaders, name, material, rig, chain, settings, [&] {
+        const Environment& light = *rig.environment();
+        const bool is_made = maps && settings.kind == EstimatorKind::factored;
+        return is_made ? MaterialShader(material, light, *maps) : MaterialShader(material, light, settings);
+    });
 }
 
 BandwidthPredictor ReadyMaterials::predictor(const std::string& name, const Material& material, const Rig& rig,
                                              const RigChain& chain, const DensitySettings& settings) {
-    return ready<BandwidthPredictor, MaterialProbes>(m_predictors, name, material, rig, chain, settings);
+    return ready<BandwidthPredictor, MaterialProbes>(m_predictors, name, material, rig, chain, settings, [&] {
+        return BandwidthPredictor(material, *rig.environment(), settings);
+    });
 }
 
 }  // namespace burnish

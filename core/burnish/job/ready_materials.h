@@ -15,9 +15,10 @@ namespace burnish {
 
 class ReadyMaterials {
 public:
-    /// What shades `material` under a chain of the rig's lights. `name` stands for the material. The rig must outlive the result.
+    /// What shades `material` under a chain of the rig's lights. `name` stands for the material. `maps`: for `factored`, null = to be
+    /// made. The rig must outlive the result. Throws as MaterialShader and MaterialTaps.
     MaterialShader shader(const std::string& name, const Material& material, const Rig& rig, const RigChain& chain,
-                          const EstimatorSettings& settings);
+                          const EstimatorSettings& settings, const Factors* maps = nullptr);
     BandwidthPredictor predictor(const std::string& name, const Material& material, const Rig& rig, const RigChain& chain,
                                  const DensitySettings& settings);
 

@@ -32,10 +32,11 @@ bool names_file(const std::string& material) { return is_measured_name(material)
 /// The value with its paths as from `folder`.
 json with_paths_in(const Setting& setting, const json& value, const std::filesystem::path& folder) {
     if (setting.kind == SettingKind::path && value.is_string()) return in_folder(value.get<std::string>(), folder);
-    if (setting.kind != SettingKind::materials || !value.is_object()) return value;
+    const bool is_files = setting.kind == SettingKind::pairs && setting.unit.ends_with("FILE");
+    if ((setting.kind != SettingKind::materials && !is_files) || !value.is_object()) return value;
     json materials = json::object();
     for (const auto& [name, material] : value.items())
-        materials[name] = material.is_string() && names_file(material.get<std::string>())
+        materials[name] = material.is_string() && (is_files || names_file(material.get<std::string>()))
                               ? json(in_folder(material.get<std::string>(), folder))
                               : with_tables_in(material, folder);
     return materials;

@@ -1,5 +1,7 @@
 #include <burnish/job/settings.h>
 
+#include <burnish/factor/direction_map.h>
+#include <burnish/factor/parametrization.h>
 #include <burnish/job/job_lights.h>
 #include <burnish/job/setting_kinds.h>
 #include <burnish/job/structured_settings.h>
@@ -79,14 +81,17 @@ void add_materials(std::vector<Setting>& table) {
 }
 
 void add_quality(std::vector<Setting>& table) {
-    table.push_back(choice<EstimatorKind>({"estimator", "quality", "estimator"}, AT(estimator.kind),
-                                          {{"fitted", EstimatorKind::fitted},
-                                           {"regular", EstimatorKind::regular},
-                                           {"filtered_importance", EstimatorKind::filtered_importance},
-                                           {"preconvolved", EstimatorKind::preconvolved},
-                                           {"split_sum", EstimatorKind::split_sum},
-                                           {"reference", EstimatorKind::reference}},
-                                          "how the reflection is integrated; reference is slow and measures its own error"));
+    table.push_back(
+        choice<EstimatorKind>({"estimator", "quality", "estimator"}, AT(estimator.kind),
+                              {{"fitted", EstimatorKind::fitted},
+                               {"regular", EstimatorKind::regular},
+                               {"filtered_importance", EstimatorKind::filtered_importance},
+                               {"preconvolved", EstimatorKind::preconvolved},
+                               {"split_sum", EstimatorKind::split_sum},
+                               {"factored", EstimatorKind::factored},
+                               {"reference", EstimatorKind::reference}},
+                              "how the reflection is integrated; factored shades from maps of material and environment, "
+                              "made in seconds; reference is slow and measures its own error"));
     table.push_back(integer({"samples", "quality", "samples"}, AT(estimator.samples), {0, 4096}, "",
                             "lookups per lobe and pixel; 0: as the estimator needs; fitted takes up to 16, regular the pattern "
                             "nearest to it"));
@@ -118,6 +123,28 @@ void add_quality(std::vector<Setting>& table) {
                            "reference: standard error to stop at, relative to the pixel's mean"));
     table.push_back(integer({"max_samples", "quality", "max_samples"}, AT(estimator.max_samples), {1, 1 << 20}, "",
                             "reference: most samples of a pixel"));
+}
+
+/// Those of lighting, by their own name.
+std::vector<std::pair<std::string_view, std::string>> lighting_parametrizations() {
+    std::vector<std::pair<std::string_view, std::string>> names;
+    for (const Parametrization& each : parametrizations())
+        if (each.of == FactoredFunction::lighting) names.emplace_back(each.name, each.name);
+    return names;
+}
+
+void add_factored(std::vector<Setting>& table) {
+    table.push_back(choice<std::string>(
+        {"parametrization", "quality", "parametrization"}, AT(estimator.parametrization), lighting_parametrizations(),
+        "factored: directions that its maps are looked up by: normal and reflection; the view's "
+        "elevation, too; the view itself; half and difference vector about the main light"));
+    table.push_back(integer({"map_size", "quality", "map_size"}, AT(estimator.map_size),
+                            {DirectionMap::kLeastSize, DirectionMap::kMostSize}, "texels",
+                            "factored: edge of a disc of its maps"));
+    table.push_back(
+        pairs({"factors", "quality", "factors"}, AT(factors), "NAME=FILE",
+              "factored: maps that burnish factor made of the material NAME under this environment, instead of making "
+              "them; the environment may be turned and scaled otherwise"));
 }
 
 void add_target(std::vector<Setting>& table) {
@@ -226,8 +253,8 @@ void add_output(std::vector<Setting>& table) {
 
 std::vector<Setting> make_settings() {
     std::vector<Setting> table;
-    for (auto* add : {add_input, add_light, add_materials, add_target, add_quality, add_density, add_surface, add_composite,
-                      add_antialias, add_color, add_output})
+    for (auto* add : {add_input, add_light, add_materials, add_target, add_quality, add_factored, add_density, add_surface,
+                      add_composite, add_antialias, add_color, add_output})
         add(table);
     return table;
 }

@@ -8,7 +8,8 @@
 namespace burnish {
 
 /// `dense`: every pixel; `sparse`: as many as the predicted bandwidth asks for, the others are interpolated; `automatic`: sparse
-/// where that pays (settled_density), and dense for `reference`, which others are compared with.
+/// where that pays (settled_density), and dense for `reference`, which others are compared with, and for `factored`, which costs less
+/// than a prediction.
 enum class ShadingDensity { automatic, dense, sparse };
 
 /// Where the angular bandwidth of the overlay comes from. `curvature`: second derivative of the light once the lobe has filtered it;
@@ -26,7 +27,8 @@ struct DensitySettings {
 
 /// Whether some frame might be shaded sparsely.
 inline bool may_be_sparse(ShadingDensity density, EstimatorKind estimator) {
-    return density == ShadingDensity::automatic ? estimator != EstimatorKind::reference : density == ShadingDensity::sparse;
+    if (density != ShadingDensity::automatic) return density == ShadingDensity::sparse;
+    return estimator != EstimatorKind::reference && estimator != EstimatorKind::factored;
 }
 
 /// What `automatic` comes to. Prediction has tables of its own to make, as dear as shading some million cheap pixels, and gains half of

@@ -1,5 +1,6 @@
 #include <burnish/shading/local_shading.h>
 
+#include <burnish/base/error.h>
 #include <burnish/material/lobe.h>
 #include <burnish/shading/area_shading.h>
 #include <burnish/shading/disc_light.h>
@@ -85,6 +86,10 @@ struct LocalArrival {
 MaterialTaps::MaterialTaps(const Material& material, const EstimatorSettings& estimator)
     : lobes(material.lobes), settings(estimator) {
     if (settings.kind == EstimatorKind::reference) return;
+    if (settings.kind == EstimatorKind::factored)
+        throw Error(ErrorCode::bad_argument,
+                    "estimator: factored maps hold distant light alone, and some pixels of material '" + material.name +
+                        "' see a light that is near; use another estimator, or leave them the environment alone (--chain)");
     for (const LobeParameters& lobe : lobes) taps.emplace_back(lobe, settings);
 }
 

@@ -17,6 +17,7 @@ struct RunningReference;
 
 /// A material's lobes under one estimator, without any light: made once, shared by its shaders.
 struct MaterialTaps {
+    /// Throws Error(bad_argument) for `factored`.
     MaterialTaps(const Material& material, const EstimatorSettings& settings);
 
     std::vector<LobeParameters> lobes;

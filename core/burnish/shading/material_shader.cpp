@@ -5,6 +5,7 @@
 #include <burnish/sampling/tuned_patterns.h>
 #include <burnish/shading/adaptive_shading.h>
 #include <burnish/shading/disc_light.h>
+#include <burnish/shading/factored.h>
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/local_shading.h>
 #include <burnish/shading/reference.h>
@@ -209,8 +210,15 @@ struct MaterialShader::LobeShader {
 };
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {
+    if (settings.kind == EstimatorKind::factored) {
+        *this = MaterialShader(material, light, factored_light(material, light, settings));
+        return;
+    }
     for (const LobeParameters& lobe : material.lobes) m_lobes.push_back(std::make_shared<LobeShader>(lobe, light, settings));
 }
+
+MaterialShader::MaterialShader(const Material& material, const Environment& light, const Factors& maps)
+    : m_factored(std::make_shared<const FactoredShader>(material, light, maps)) {}
 
 MaterialShader::MaterialShader(std::shared_ptr<const MaterialTaps> taps, LightChain lights)
     : m_taps(std::move(taps)), m_lights(std::move(lights)) {}
@@ -232,7 +240,9 @@ void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
     out.overlay.assign(batch.size(), Color3f(0, 0, 0));
     out.samples.assign(batch.size(), 0.0f);
     out.standard_error.assign(estimates_error() ? batch.size() : 0, 0.0f);
-    if (m_taps)
+    if (m_factored)
+        m_factored->shade(batch, out);
+    else if (m_taps)
         shade_local(batch, out);
     else
         shade_distant(batch, out);

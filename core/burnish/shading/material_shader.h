@@ -1,6 +1,7 @@
 // One material under its light, ready to shade: tables and patterns are made once, `shade` then runs from many threads.
 //
-// Distant light alone has a kernel of its own, table_shading.h; any other chain of lights is asked ray by ray, local_shading.h.
+// Distant light alone has kernels of its own, table_shading.h and, for `factored`, factor_shading.h; any other chain of lights is asked
+// ray by ray, local_shading.h.
 #pragma once
 
 #include <burnish/light/environment.h>
@@ -15,6 +16,8 @@
 
 namespace burnish {
 
+class FactoredShader;
+struct Factors;
 struct MaterialTaps;
 struct RunningReference;
 
@@ -28,10 +31,14 @@ struct ShadedBatch {
 class MaterialShader {
 public:
     /// The environment must outlive the shader. `fitted` leaves lobes whose anisotropy comes from a layer to `regular`; and lobes
-    /// longer than 1:6 with a long tail (GGX), unless settings.samples asks for a number of lookups.
+    /// longer than 1:6 with a long tail (GGX), unless settings.samples asks for a number of lookups. `factored` makes its maps here, in
+    /// seconds; throws Error(bad_argument) where no maps can stand for the material (factored.h).
     MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings);
 
-    /// Under any lights. `taps`: of the material, see MaterialTaps.
+    /// `factored` by maps that were made of the material under this light, however turned and scaled. Throws as FactoredShader.
+    MaterialShader(const Material& material, const Environment& light, const Factors& maps);
+
+    /// Under any lights, not by `factored`. `taps`: of the material, see MaterialTaps.
     MaterialShader(std::shared_ptr<const MaterialTaps> taps, LightChain lights);
 
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
@@ -56,7 +63,8 @@ private:
     void shade_local(const SurfaceBatch& batch, ShadedBatch& out) const;
 
     std::vector<std::shared_ptr<const LobeShader>> m_lobes;  // under distant light
-    std::shared_ptr<const MaterialTaps> m_taps;              // under any other
+    std::shared_ptr<const FactoredShader> m_factored;        // or all of them by maps
+    std::shared_ptr<const MaterialTaps> m_taps;              // under any other light
     LightChain m_lights;
 };
 

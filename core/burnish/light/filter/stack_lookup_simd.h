@@ -96,9 +96,12 @@ HWY_INLINE VF distortion_of(VF q) {
     return hn::MulAdd(hn::MulAdd(p456, t2, p23), t2, p01);
 }
 
-/// Queues a vector of lookups at entries `at` and on, weights apart. Any direction, NaN included, stays within the stack.
-HWY_INLINE void queue_taps(const CubeStack::Layout& stack, float distortion, const V3& w, VF level, size_t at,
-                           TapQueue& queue) {
+/// Where directions of any length meet the cube: the face, and the place there from its centre, right and up, within +-1/2.
+struct OnFace {
+    VI face;
+    VF x, y;
+};
+HWY_INLINE OnFace on_face(const V3& w) {
     const Lanes d;
     const IntLanes di;
     const VF ax = hn::Abs(w.x), ay = hn::Abs(w.y), az = hn::Abs(w.z), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
@@ -109,8 +112,16 @@ HWY_INLINE void queue_taps(const CubeStack::Layout& stack, float distortion, con
     const VI axis2 = hn::IfThenElse(hn::RebindMask(di, is_x), hn::Zero(di),
                                     hn::IfThenElse(hn::RebindMask(di, is_y), hn::Set(di, 2), hn::Set(di, 4)));
     const VI face = hn::Sub(axis2, hn::VecFromMask(di, hn::RebindMask(di, hn::Lt(major, hn::Zero(d)))));
-    const VF x = hn::Mul(right, scale), y = hn::Mul(up, scale);  // from the face's centre, within +-1/2
+    return {face, hn::Mul(right, scale), hn::Mul(up, scale)};
+}
 
+/// Queues a vector of lookups at entries `at` and on, weights apart. Any direction, NaN included, stays within the stack.
+HWY_INLINE void queue_taps(const CubeStack::Layout& stack, float distortion, const V3& w, VF level, size_t at,
+                           TapQueue& queue) {
+    const Lanes d;
+    const IntLanes di;
+    const VF one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const auto [face, x, y] = on_face(w);
     const VF distorted = hn::MulAdd(hn::Set(d, distortion), distortion_of(hn::MulAdd(x, x, hn::Mul(y, y))), level);
     const VF at_level = clamped(distorted, hn::Set(d, stack.last_level));
     const Whole k = nearest(hn::Sub(at_level, half));
