@@ -116,15 +116,17 @@ def test_the_shader_computes_what_the_maps_say(screen, parametrization, mapping)
 
 def test_the_shader_of_8_bits_is_near(screen, tmp_path):
     report = burnish.factor(GOLD, SKY, tmp_path / "gold.exr", quality="preview", png=tmp_path)
-    pictures = {f"burnish_{name}": oiio_pixels(tmp_path / f"gold_{name}.png") for name in report["factors"].maps}
+    pictures = {f"burnish_{name}": texels(tmp_path / f"gold_{name}.png") for name in report["factors"].maps}
     n, wo = seen_pairs(2000)
     shaded, expected = screen.shade((tmp_path / "gold.glsl").read_text(), pictures, n, wo), report["factors"].evaluate(n, wo)
     assert np.median(np.abs(shaded - expected) / expected) < 0.01
 
 
-def oiio_pixels(file):
-    picture = oiio.ImageInput.open(str(file))
-    return picture.read_image(format="uint8")
+def texels(file):
+    """The bytes of a picture, which OpenImageIO would multiply by alpha."""
+    config = oiio.ImageSpec()
+    config.attribute("oiio:UnassociatedAlpha", 1)
+    return oiio.ImageInput.open(str(file), config).read_image(format="uint8")
 
 
 def told(*words, code=2):
