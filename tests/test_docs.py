@@ -61,7 +61,7 @@ def test_presets_and_estimators_are_the_programs(cli):
 
 def test_options_that_the_pages_name_exist(cli):
     known = "".join(cli(command, "--help").out for command in
-                    ("composite", "bandwidth", "bake", "fit", "chart", "envmap", "compare", "demo", "info", "preview"))
+                    ("composite", "bandwidth", "bake", "fit", "factor", "chart", "envmap", "compare", "demo", "info", "preview"))
     for page in PAGES:
         if page.name not in ("measured.md", "python.md"):
             for option in re.findall(r"`(--[a-z][a-z-]+)", page.read_text()):

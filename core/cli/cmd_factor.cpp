@@ -102,7 +102,7 @@ void add_maps(FieldOptions& fields, CLI::App& command, json& values) {
     fields.add_choice("quality", kFactorQualities, "texels and samples [normal]");
     fields.add_choice("mapping", kSpheres, "of directions all around [double_parabolic]");
     fields.add<int>("--size", "size", "along a disc or face [preview 16, normal 32, high 64]", "TEXELS");
-    fields.add<int>("--grid", "grid", "lighting: normals and views along each disc they are taken from [10, 20, 26]", "TEXELS");
+    fields.add<int>("--grid", "grid", "along the discs that directions of samples are taken from [10, 20, 26]", "TEXELS");
     fields.add<int>("--terms", "terms", "products that are summed; those after the first have signs [1]", "1..4");
     fields.add_choice("measure", kFactorMeasures, "which error is made least [relative]");
     fields.add_choice("weight", kViewWeights,

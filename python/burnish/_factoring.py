@@ -49,8 +49,8 @@ def factor(
     -------
     dict
         "factors" : Factors; "error" at the samples: average_absolute, max_absolute, average_relative, max_relative, rms;
-        "eight_bit_error" of the pictures in `png`; "display_psnr_db" against the estimator "reference", under a light only;
-        "samples", "seconds" by stage, "files" written, and what the maps are, as in ``Factors.info``.
+        "eight_bit_error" of the pictures in `png`, and "eight_bit", by what they are multiplied; "display_psnr_db" against the estimator
+        "reference", under a light only; "parametrization", "terms", "samples", "seconds" by stage, "files" written.
 
     Raises
     ------

@@ -1,28 +1,8 @@
 #include <burnish/factor/averaged_start.h>
 
+#include <burnish/factor/fill_texels.h>
+
 namespace burnish {
-namespace {
-
-/// Fills texels of no weight from their neighbours, ring by ring.
-void fill(const DirectionMap& layout, Eigen::Ref<Colors> texels, std::vector<char> known) {
-    for (bool is_filling = true; is_filling;) {
-        is_filling = false;
-        const std::vector<char> before = known;
-        for (int texel = 0; texel < layout.texels(); ++texel) {
-            if (before[texel]) continue;
-            ColorRow sum = ColorRow::Zero();
-            int count = 0;
-            for (const int other : layout.neighbours(texel))
-                if (before[other]) sum += texels.row(other).array(), ++count;
-            if (count == 0) continue;
-            texels.row(texel) = sum / static_cast<float>(count);
-            known[texel] = is_filling = true;
-        }
-    }
-}
-
-}  // namespace
-
 Colors averaged_start(const Factors& layout, const SampleLookups& lookups, const Colors& values) {
     Colors texels = Colors::Zero(lookups.texels(), 4);
     Eigen::VectorXf weight = Eigen::VectorXf::Zero(lookups.texels());
@@ -39,7 +19,7 @@ Colors averaged_start(const Factors& layout, const SampleLookups& lookups, const
         for (int i = 0; i < count; ++i)
             if ((known[i] = weight[first + i] > 0))
                 texels.row(first + i) /= weight[first + i] * static_cast<float>(lookups.factors());
-        fill(map.layout, texels.middleRows(first, count), std::move(known));
+        fill_texels(map.layout, texels.middleRows(first, count), std::move(known));
         first += count;
     }
     return texels;

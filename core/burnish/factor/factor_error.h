@@ -3,19 +3,18 @@
 
 #include <burnish/factor/factors.h>
 
-#include <functional>
 #include <span>
 
 namespace burnish {
 
-/// Over samples and channels alike, whatever samples weigh. Relative: to the sample; where that is 0, there is no relative error.
+/// Over samples and channels alike, whatever samples weigh. Relative: to the sample and `bias`; where that is 0, there is none.
 struct FactorError {
     double average_absolute = 0, max_absolute = 0;
     double average_relative = 0, max_relative = 0;
     double rms = 0;
 };
 
-/// `function` is called from several threads.
-FactorError factor_error(const std::function<Color3f(const DirectionPair&)>& function, std::span<const FactorSample> samples);
+/// `bias`: of the mean of all samples, added to what errors are relative to, for functions that all but vanish somewhere.
+FactorError factor_error(const PairFunction& function, std::span<const FactorSample> samples, float bias = 0);
 
 }  // namespace burnish

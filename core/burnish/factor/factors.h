@@ -5,9 +5,13 @@
 #include <burnish/factor/factor_guide.h>
 #include <burnish/factor/parametrization.h>
 
+#include <functional>
 #include <vector>
 
 namespace burnish {
+
+/// A BRDF in 1/sr, or radiance. May be called from several threads.
+using PairFunction = std::function<Color3f(const DirectionPair&)>;
 
 struct FactorMap {
     DirectionMap layout;

@@ -35,6 +35,13 @@ Vec3f elevation_of(const DirectionPair& p, const FactorGuide&) {
     return {std::sqrt(1 - z * z), 0, z};
 }
 
+DirectionPair pair_itself(const Vec3f& wi, const Vec3f& wo) { return {wi, wo}; }
+
+DirectionPair from_difference(const Vec3f& h, const Vec3f& d) {
+    const Vec3f wi = Frame::along(h, {1, 0, 0}).to_world(d);
+    return {wi, h * (2 * h.dot(wi)) - wi};
+}
+
 constexpr auto kBrdf = FactoredFunction::brdf;
 constexpr auto kLighting = FactoredFunction::lighting;
 constexpr auto kSphere = DirectionDomain::sphere;
@@ -117,9 +124,13 @@ const std::vector<Parametrization>& known() {
          "normal, reflection, half and difference vector about the dominant light (Factor 70)",
          kLighting,
          {by("normal", 0), by("reflection", 1), by("dominant_half", 2), by("dominant_difference", 3)}},
-        {"io", "incident and outgoing direction (Factor 20)", kBrdf, {by("incident", 0), by("outgoing", 1)}},
-        {"hd", "half and difference vector (Factor 23)", kBrdf, {by("half", 0), by("difference", 1)}},
-        {"pqp", "p(wi) q(h) p(wo), reciprocal (Factor 28)", kBrdf, {by("incident", 0), by("half", 1), by("outgoing", 0)}},
+        {"io", "incident and outgoing direction (Factor 20)", kBrdf, {by("incident", 0), by("outgoing", 1)}, pair_itself},
+        {"hd", "half and difference vector (Factor 23)", kBrdf, {by("half", 0), by("difference", 1)}, from_difference},
+        {"pqp",
+         "p(wi) q(h) p(wo), reciprocal (Factor 28)",
+         kBrdf,
+         {by("incident", 0), by("half", 1), by("outgoing", 0)},
+         pair_itself},
     };
     return all;
 }

@@ -40,6 +40,9 @@ struct Parametrization {
     std::string name, summary;
     FactoredFunction of;
     std::vector<Factor> factors;
+    /// Of BRDFs: the pair that a direction of the first map makes with another one, by which maps are sampled evenly. Below the
+    /// surface where there is no such pair.
+    DirectionPair (*pair_of)(const Vec3f& first, const Vec3f& second) = nullptr;
 
     int map_count() const;
     bool needs_dominant() const;

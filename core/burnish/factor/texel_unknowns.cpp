@@ -1,10 +1,15 @@
 #include <burnish/factor/texel_unknowns.h>
 
 namespace burnish {
+namespace {
+
+constexpr float kLargest = 40;  // of a logarithm: what no sample holds down stays finite
+
+}  // namespace
 
 Colors TexelUnknowns::texels(const Colors& x) const {
     Colors t = x;
-    t.topRows(positive) = x.topRows(positive).array().exp().rowwise() * share;
+    t.topRows(positive) = x.topRows(positive).array().min(kLargest).max(-kLargest).exp().rowwise() * share;
     return t;
 }
 

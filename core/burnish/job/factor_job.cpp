@@ -79,6 +79,8 @@ QuantiseSettings eight_bit_from_json(const JsonFields& fields) {
 void check(const FactorJob& job, const std::string& where) {
     const auto refuse = [&](const std::string& why) { throw Error(ErrorCode::bad_argument, where + ": " + why); };
     if (job.material.empty()) refuse("no material: name a preset, a file or a measured table");
+    if (job.scene.estimator.kind == EstimatorKind::factored)
+        refuse("estimator factored shades from maps; take another one to make them from");
     if (!job.png.empty() && job.maps.terms > 1)
         refuse(
             "terms after the first have texels below zero, which 8-bit pictures cannot hold; leave out png, or take one term");

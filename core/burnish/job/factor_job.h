@@ -31,7 +31,7 @@ struct FactorJob {
     FactorMethod method = FactorMethod::homomorphic;
     FactorQuality quality = FactorQuality::normal;
     FactoriseSettings maps;
-    int grid = 20;  // lighting: texels a side of the discs that normals and views are taken from
+    int grid = 20;  // texels a side of the discs that directions are taken from
     ViewWeight weight = ViewWeight::projected;
     QuantiseSettings eight_bit;     // what it leaves open is searched for
     std::string output, png, glsl;  // EXR, folder of 8-bit pictures, shader; "" = none

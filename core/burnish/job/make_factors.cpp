@@ -3,6 +3,8 @@
 #include <burnish/base/error.h>
 #include <burnish/base/json_text.h>
 #include <burnish/base/parallel.h>
+#include <burnish/factor/brdf_samples.h>
+#include <burnish/factor/decompose.h>
 #include <burnish/factor/glsl.h>
 #include <burnish/factor/prescale_search.h>
 #include <burnish/job/color_flow.h>
@@ -10,6 +12,8 @@
 #include <burnish/job/look.h>
 #include <burnish/job/stages.h>
 #include <burnish/material/library.h>
+#include <burnish/material/material_brdf.h>
+#include <burnish/material/measured/read_measured.h>
 #include <burnish/output/exr_writer.h>
 #include <burnish/output/factors_writer.h>
 
@@ -69,8 +73,14 @@ public:
 private:
     Progress part(float begin, float end) const { return part_of(m_progress, begin, end); }
 
+    /// Of a BRDF: f(wi, wo).
+    PairFunction brdf() const {
+        return [f = MaterialBrdf(m_material)](const DirectionPair& pair) { return f(pair.b, pair.a); };
+    }
+
     std::vector<FactorSample> sample(const Parametrization& parametrization) {
-        if (!m_light) throw Error(ErrorCode::bad_argument, parametrization.name);
+        if (!m_light && is_measured_name(m_job.material)) return measured_samples(*read_measured(m_job.material));
+        if (!m_light) return brdf_samples(parametrization, brdf(), {.size = m_job.grid});
         m_report.stored.world_to_map = m_light->world_to_light(), m_report.stored.gain = m_light->gain();
         m_guide = FactorGuide::of(m_material);
         m_guide.dominant = dominant_direction(*m_light);
@@ -79,7 +89,18 @@ private:
     }
 
     Factors factor(const Parametrization& parametrization) const {
+        if (m_job.method != FactorMethod::homomorphic) return decomposed(parametrization);
         return factorise(parametrization, m_samples, m_guide, m_job.maps, part(0.3f, 0.8f));
+    }
+
+    Factors decomposed(const Parametrization& parametrization) const {
+        if (m_light)
+            throw Error(ErrorCode::bad_argument,
+                        "methods svd and normalised factor BRDFs; leave out env, or take the method homomorphic");
+        const bool is_svd = m_job.method == FactorMethod::svd;
+        const DecomposeSettings settings{is_svd ? Decomposition::svd : Decomposition::normalised, m_job.maps.size,
+                                         m_job.maps.terms};
+        return decompose(parametrization, brdf(), settings, part(0.3f, 0.8f));
     }
 
     void check() {
@@ -145,13 +166,17 @@ FactorReport make_factors(const FactorJob& job, std::shared_ptr<const Environmen
 }
 
 json factor_report_to_json(const FactorReport& report) {
-    json result = factors_to_json(report.stored), seconds = json::object();
+    json seconds = json::object();
     for (const auto& [stage, elapsed] : report.seconds) seconds[stage] = elapsed;
-    result["samples"] = report.samples, result["error"] = error_to_json(report.error);
+    json result = {{"parametrization", report.stored.factors.parametrization->name},
+                   {"terms", report.stored.factors.terms.size()},
+                   {"samples", report.samples},
+                   {"error", error_to_json(report.error)},
+                   {"seconds", seconds},
+                   {"files", report.files}};
     if (report.picture_error) result["eight_bit_error"] = error_to_json(*report.picture_error);
     if (report.pictures) result["eight_bit"] = eight_bit_to_json(*report.pictures);
     if (report.display_psnr_db) result["display_psnr_db"] = *report.display_psnr_db;
-    result["seconds"] = seconds, result["files"] = report.files;
     return result;
 }
 

@@ -28,7 +28,7 @@ struct FactorReport {
 /// that cannot be factored, see require_factorable, Error(read_failed | write_failed | color_space | cancelled).
 FactorReport make_factors(const FactorJob& job, std::shared_ptr<const Environment> light, const Progress& progress);
 
-/// Errors, sizes, seconds and files.
+/// Everything but the maps.
 nlohmann::json factor_report_to_json(const FactorReport& report);
 
 }  // namespace burnish
