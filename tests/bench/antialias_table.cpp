@@ -47,7 +47,7 @@ struct Look {
 
 Look look_of(const Environment& light, float m) {
     const Material material{"bench", Color3f(0, 0, 0), {scenes::lobe_of(ModelId::ggx, m, m)}};
-    return {{MaterialShader(material, light, {})}, {BandwidthPredictor(material, light, {})}};
+    return {{MaterialShader(material, light, EstimatorSettings{})}, {BandwidthPredictor(material, light, {})}};
 }
 
 /// The overlay in pixels, and the least times of some runs.

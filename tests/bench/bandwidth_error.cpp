@@ -89,7 +89,7 @@ struct Case {
         const Assignment assignment = scenes::whole_frame(frame);
         const Surfaces surfaces(frame, assignment, {});
         const std::vector<Material> materials{{"bench", Color3f(0, 0, 0), {scenes::lobe_of(kModels.at(study.model), m, m)}}};
-        const std::vector<MaterialShader> shaders{MaterialShader(materials[0], light, {})};
+        const std::vector<MaterialShader> shaders{MaterialShader(materials[0], light, EstimatorSettings{})};
         const Image overlay = shade_dense(surfaces, assignment, shaders, {}).overlay;
         SurfaceBatch all;
         surfaces.gather({0, 0, overlay.width, overlay.height}, 0, all);

@@ -8,6 +8,7 @@
 #include <burnish/material/lobe.h>
 #include <burnish/plan/configuration.h>
 #include <burnish/shading/disc_light.h>
+#include <burnish/shading/factored.h>
 #include <burnish/shading/fitted.h>
 #include <burnish/shading/table_shading.h>
 #include <burnish/shading/tap_rule.h>
@@ -38,6 +39,7 @@ struct Sphere {
 
 /// A table that serves any light of this face size; empty where pixels make their own taps.
 TapTable shared_table(const LobeParameters& lobe, const EstimatorSettings& settings, const Environment& light) {
+    if (settings.kind == EstimatorKind::factored) return {};
     if (settings.kind == EstimatorKind::fitted) return fitted_table(lobe, settings.samples, light.gaussian_stack());
     const TapRule rule(lobe, settings, [&](float omega) { return light.pyramid().level(omega) + settings.level_bias; });
     const int taps = rule.tap_count(lobe.mx, lobe.my);
@@ -81,7 +83,8 @@ public:
     std::vector<double> of(const Configuration& configuration) const {
         const EstimatorSettings settings = settled(m_lobe, with({}, configuration));
         const TapTable table = shared_table(m_lobe, settings, m_lights[0].light);
-        std::vector<double> psnr_db(m_lights.size());
+        std::vector<double> psnr_db(m_lights.size(), 0.0);
+        if (configuration == kFactored && !can_be_factored(m_material)) return psnr_db;
         for_each_index(static_cast<int>(m_lights.size()), [&](int i) {
             const auto l = static_cast<size_t>(i);
             const Environment& light = m_lights[l].light;
@@ -135,12 +138,8 @@ std::vector<NamedLight> named_lights(int count, uint32_t seed, const std::vector
     return lights;
 }
 
-double ErrorCase::probe_db() const {
-    return psnr_db[static_cast<size_t>(std::ranges::find(configurations(), kProbe) - configurations().begin())];
-}
-
 std::vector<ErrorCase> measure_errors(const std::vector<NamedLobe>& lobes, const std::vector<NamedLight>& lights,
-                                      const Progress& progress) {
+                                      const std::vector<Configuration>& configurations, const Progress& progress) {
     const Sphere sphere;
     std::vector<ErrorCase> cases;
     for (size_t i = 0; i < lobes.size(); ++i) {
@@ -148,9 +147,9 @@ std::vector<ErrorCase> measure_errors(const std::vector<NamedLobe>& lobes, const
         const size_t first = cases.size();
         for (const NamedLight& light : lights) cases.push_back({lobes[i].name, light.name, lobes[i].lobe, {}});
         const LobeErrors errors(sphere, lobes[i].lobe, lights);
-        for (const Configuration& configuration : configurations()) {
+        for (const Configuration& configuration : configurations) {
             const std::vector<double> psnr_db = errors.of(configuration);
-            for (size_t l = 0; l < lights.size(); ++l) cases[first + l].psnr_db.push_back(psnr_db[l]);
+            for (size_t l = 0; l < lights.size(); ++l) cases[first + l].psnr_db[configuration] = psnr_db[l];
         }
     }
     return cases;

@@ -3,9 +3,11 @@
 
 #include <burnish/base/progress.h>
 #include <burnish/light/environment.h>
+#include <burnish/plan/configuration.h>
 #include <burnish/plan/truth.h>
 #include <burnish/sampling/tuned_patterns.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,13 +33,13 @@ struct NamedLight {
 /// `count` stress lights and as many room lights, seeds from `seed` on; then the files.
 std::vector<NamedLight> named_lights(int count, uint32_t seed, const std::vector<std::string>& files);
 
-/// One lobe under one light: display PSNR in dB of every one of configurations().
+/// One lobe under one light: display PSNR in dB of configurations, kProbe among them.
 struct ErrorCase {
     std::string material, light;
     LobeParameters lobe;
-    std::vector<double> psnr_db;
+    std::map<Configuration, double> psnr_db;
 
-    double probe_db() const;
+    double gain(const Configuration& configuration) const { return psnr_db.at(configuration) - psnr_db.at(kProbe); }
 };
 
 struct NamedLobe {
@@ -45,8 +47,8 @@ struct NamedLobe {
     LobeParameters lobe;
 };
 
-/// Every lobe under every light, in this order.
+/// Every lobe under every light, in this order. What cannot shade a lobe has 0 dB.
 std::vector<ErrorCase> measure_errors(const std::vector<NamedLobe>& lobes, const std::vector<NamedLight>& lights,
-                                      const Progress& progress);
+                                      const std::vector<Configuration>& configurations, const Progress& progress);
 
 }  // namespace burnish

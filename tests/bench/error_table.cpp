@@ -2,7 +2,7 @@
 //
 //     burnish_error_table --lights-from rooitou_park_1k.hdr,lebombo_1k.hdr > core/burnish/plan/error_table.json
 //
-// `--check` prints how far the table that is compiled in is off, for lobes between its own and lights that it was not made from:
+// `--only ESTIMATOR --of TABLE` measures that one, under the same lights, and prints the table with its columns new. `--check` prints how far the table that is compiled in is off, for lobes between its own and lights that it was not made from:
 //
 //     burnish_error_table --check --lights 1 --seed 201 --lights-from studio_small_03_1k.hdr,st_fagans_interior_1k.hdr,...
 #include "error_cases.h"
@@ -16,8 +16,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <map>
+#include <optional>
 
 using namespace burnish;
 using nlohmann::json;
@@ -46,14 +49,41 @@ std::string name_of(const Configuration& configuration) {
     return "?";
 }
 
-/// One lobe's cases, a light each.
-json lobe_entry(const LobeClass& lobe, std::span<const ErrorCase> cases) {
+/// Which configurations are measured, and the table that holds the others: null where all are.
+struct Making {
+    std::vector<Configuration> measured = configurations();
+    json old;
+
+    bool measures(const Configuration& configuration) const { return std::ranges::count(measured, configuration) > 0; }
+    /// Its place in the table that is there; none: it is not part of it.
+    std::optional<size_t> old_column(const Configuration& configuration) const {
+        if (old.is_null()) return {};
+        const json& names = old.at("configurations");
+        const auto found = std::ranges::find(names, json(name_of(configuration)));
+        return found == names.end() ? std::nullopt : std::optional(static_cast<size_t>(found - names.begin()));
+    }
+    /// Those of the new table, in their order.
+    std::vector<Configuration> columns() const {
+        std::vector<Configuration> all;
+        for (const Configuration& each : configurations())
+            if (measures(each) || old_column(each)) all.push_back(each);
+        return all;
+    }
+};
+
+/// One lobe's cases, a light each; `place` of the lobe in the table.
+json lobe_entry(const LobeClass& lobe, size_t place, std::span<const ErrorCase> cases, const Making& making) {
     json entry = {{"tail", lobe.tail == LobeTail::gaussian ? "gaussian" : "long"},
                   {"aspect", to_json_number(lobe.aspect)},
                   {"m", to_json_number(lobe.m)}};
-    for (size_t i = 0; i < configurations().size(); ++i) {
+    for (const Configuration& configuration : making.columns()) {
+        if (!making.measures(configuration)) {
+            for (const char* field : {"gain", "deviation"})
+                entry[field].push_back(making.old.at("lobes").at(place).at(field).at(*making.old_column(configuration)));
+            continue;
+        }
         std::vector<double> gains;
-        for (const ErrorCase& one : cases) gains.push_back(one.psnr_db[i] - one.probe_db());
+        for (const ErrorCase& one : cases) gains.push_back(one.gain(configuration));
         const Prediction found = left_out(gains);
         entry["gain"].push_back(rounded(found.mean)), entry["deviation"].push_back(rounded(found.deviation));
     }
@@ -79,21 +109,33 @@ void print_list(const char* name, const json& entries, const char* end) {
     std::printf("  ]%s\n", end);
 }
 
-void print_table(const std::vector<NamedLight>& lights, const Progress& progress) {
+void print_table(const std::vector<NamedLight>& lights, const Making& making, const Progress& progress) {
     const std::vector<LobeClass> classes = lobe_classes();
     std::vector<NamedLobe> lobes;
     for (const LobeClass& one : classes) lobes.push_back({"", lobe_of(one)});
-    const std::vector<ErrorCase> cases = measure_errors(lobes, lights, part_of(progress, 0, 0.9f));
+    std::vector<Configuration> shaded = making.measured;
+    if (!making.measures(kProbe)) shaded.push_back(kProbe);
+    const std::vector<ErrorCase> cases = measure_errors(lobes, lights, shaded, part_of(progress, 0, 0.9f));
     json entries = json::array(), names = json::array(), light_names = json::array();
     for (size_t i = 0; i < classes.size(); ++i)
-        entries.push_back(lobe_entry(classes[i], std::span(cases).subspan(i * lights.size(), lights.size())));
-    for (const Configuration& configuration : configurations()) names.push_back(name_of(configuration));
+        entries.push_back(lobe_entry(classes[i], i, std::span(cases).subspan(i * lights.size(), lights.size()), making));
+    for (const Configuration& configuration : making.columns()) names.push_back(name_of(configuration));
     for (const NamedLight& light : lights) light_names.push_back(light.name);
     std::printf("{\n  \"made_by\": \"burnish_error_table\",\n  \"lights\": %s,\n  \"configurations\": %s,\n",
                 light_names.dump().c_str(), names.dump().c_str());
     print_list("lobes", entries, ",");
-    print_list("sparse", sparse_entries(lights, part_of(progress, 0.9f, 1)), "");
+    print_list("sparse", making.old.is_null() ? sparse_entries(lights, part_of(progress, 0.9f, 1)) : making.old.at("sparse"),
+               "");
     std::printf("}\n");
+}
+
+/// The configurations of one estimator alone; the others stay as `file` has them.
+Making only(const std::string& estimator, const std::string& file) {
+    Making making;
+    std::ifstream stream(file);
+    making.old = json::parse(stream);
+    std::erase_if(making.measured, [&](const Configuration& one) { return one.estimator != kEstimators.at(estimator); });
+    return making;
 }
 
 std::vector<NamedLobe> lobes_to_check() {
@@ -109,13 +151,13 @@ std::vector<NamedLobe> lobes_to_check() {
 }
 
 void print_check(const std::vector<NamedLight>& lights, const Progress& progress) {
-    const std::vector<ErrorCase> cases = measure_errors(lobes_to_check(), lights, progress);
+    const std::vector<ErrorCase> cases = measure_errors(lobes_to_check(), lights, configurations(), progress);
     std::printf("configuration,cases,off_by_mean_db,off_by_rms_db,deviation_rms_db,below_by_1.28_deviations\n");
     for (size_t i = 0; i < configurations().size(); ++i) {
         double sum = 0, squares = 0, expected = 0, below = 0;
         for (const ErrorCase& one : cases) {
             const PredictedGain gain = predicted_gain(one.lobe, configurations()[i]);
-            const double off = one.psnr_db[i] - one.probe_db() - gain.mean;
+            const double off = one.gain(configurations()[i]) - gain.mean;
             sum += off, squares += off * off, expected += gain.deviation * gain.deviation;
             below += off < -1.28 * gain.deviation;
         }
@@ -133,10 +175,13 @@ int main(int argc, char** argv) {
     uint32_t seed = 101;
     std::vector<std::string> files;
     bool is_check = false;
+    std::string estimator, table;
     app.add_option("--lights", count, "stress lights, and as many room lights")->capture_default_str();
     app.add_option("--seed", seed, "of the first")->capture_default_str();
     app.add_option("--lights-from", files, "environment files besides")->delimiter(',');
     app.add_flag("--check", is_check, "judge the table that is compiled in");
+    auto* one = app.add_option("--only", estimator, "the estimator to measure; the others are taken from a table");
+    one->needs(app.add_option("--of", table, "that table")->check(CLI::ExistingFile))->check(CLI::IsMember(kEstimators));
     CLI11_PARSE(app, argc, argv);
     const Progress progress([](const std::string& stage, float done) {
         std::fprintf(stderr, "%s %.0f %%\n", stage.c_str(), 100 * done);
@@ -146,6 +191,6 @@ int main(int argc, char** argv) {
     if (is_check)
         print_check(lights, progress);
     else
-        print_table(lights, progress);
+        print_table(lights, estimator.empty() ? Making() : only(estimator, table), progress);
     return 0;
 }

@@ -12,6 +12,7 @@ inline const std::map<std::string, EstimatorKind> kEstimators{{"fitted", Estimat
                                                               {"regular", EstimatorKind::regular},
                                                               {"filtered_importance", EstimatorKind::filtered_importance},
                                                               {"preconvolved", EstimatorKind::preconvolved},
-                                                              {"split_sum", EstimatorKind::split_sum}};
+                                                              {"split_sum", EstimatorKind::split_sum},
+                                                              {"factored", EstimatorKind::factored}};
 
 }  // namespace burnish

@@ -24,6 +24,7 @@ CostCase cost_case(const Look& look, const LitFrame& frame, size_t index) {
     if (environment)
         of.face_texels = 6 * static_cast<size_t>(environment->face_size()) * static_cast<size_t>(environment->face_size());
     of.frames = look.frames;
+    of.has_maps = look.wardrobe.factors.contains(look.wardrobe.rules[frame.looks()[index].rule].material);
     return of;
 }
 

@@ -1,5 +1,7 @@
 #include <burnish/job/ready_materials.h>
 
+#include <burnish/shading/factored.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -43,8 +45,8 @@ MaterialShader ReadyMaterials::shader(const std::string& name, const Material& m
                                       const EstimatorSettings& settings, const Factors* maps) {
     return ready<MaterialShader, MaterialTaps>(m_shaders, name, material, rig, chain, settings, [&] {
         const Environment& light = *rig.environment();
-        const bool is_made = maps && settings.kind == EstimatorKind::factored;
-        return is_made ? MaterialShader(material, light, *maps) : MaterialShader(material, light, settings);
+        if (!maps || settings.kind != EstimatorKind::factored) return MaterialShader(material, light, settings);
+        return MaterialShader(std::make_shared<const FactoredShader>(material, light, *maps));
     });
 }
 

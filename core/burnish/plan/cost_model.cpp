@@ -15,7 +15,22 @@ namespace {
 constexpr double kFitEvaluations = 2500;  // of the model, for one fit
 constexpr double kFitGrowth = 1.4;        // of a fit's time with its lookups
 constexpr double kTypicalShare = 0.3, kShareGrowth = 0.75;
+constexpr size_t kPairs = 400'000;                                        // of normal and view that maps are made from
+constexpr Configuration kSampler{EstimatorKind::fitted, 6};               // that these are shaded by
 constexpr Configuration kProbes{EstimatorKind::fitted, kPredictionTaps};  // that sparse shading predicts by
+
+/// `factored` has no lobes at a pixel, and maps made from shaded pairs of normal and view.
+PredictedCost factored_cost(const MachineCosts& machine, const Material& material, const CostCase& of) {
+    PredictedCost cost;
+    if (!of.has_maps) {
+        CostCase pairs = of;
+        pairs.pixels = kPairs;
+        cost = predicted_cost(machine, material, kSampler, 0, pairs);
+        cost.tables += (cost.shading + machine.maps) / of.frames;
+    }
+    cost.shading = static_cast<double>(of.pixels) * machine.map_pixel;
+    return cost;
+}
 
 /// A measured table has no numbers of its own to be calibrated by: it is as dear as the dearest model, and a half more.
 double evaluation_seconds(const MachineCosts& machine, ModelId model) {
@@ -66,6 +81,7 @@ double sparse_share(float safety, double at_one) {
 
 PredictedCost predicted_cost(const MachineCosts& machine, const Material& material, const Configuration& configuration,
                              float safety, const CostCase& of) {
+    if (configuration == kFactored) return factored_cost(machine, material, of);
     const bool is_sparse = safety > 0;
     const double pixels = static_cast<double>(of.pixels) * (is_sparse ? sparse_share(safety, of.sparse_share) : 1);
     PredictedCost cost;

@@ -8,6 +8,7 @@
 //
 //     table of `regular`, `filtered_importance`   evaluations of the model, for its albedo; then nodes * lookups
 //     table of `fitted`                           fits * (evaluations of the model + lookups^1.4)
+//     maps of `factored`, unless they are there   samples of all lobes by `fitted` + solving, once a material
 //     dense shading                               lobes * pixels * (pixel + lookups * lookup + suns * sun)
 //     sparse shading                              a share of that, a fixed cost per pixel, and probes as dear as four fitted lookups
 #pragma once
@@ -28,6 +29,7 @@ struct CostCase {
     bool is_near = false;      // any light but the environment alone
     bool has_pyramid = false;  // the light is filtered already: of no further cost
     bool has_stack = false;
+    bool has_maps = false;    // `factored`: they were given
     int frames = 1;           // that share light and tables
     int suns = 0;             // discs of the environment, shaded apart
     double sparse_share = 0;  // of the pixels, what sparse shading at safety 1 shades; 0: not known, a typical one

@@ -79,6 +79,8 @@ std::span<const CostField> cost_fields() {
         {"sparse_pixel", "sparse shading, per pixel of the frame", &M::sparse_pixel},
         {"reference_lookup", "reference, per lookup", &M::reference_lookup},
         {"near_ray", "a lookup under lights that are near", &M::near_ray},
+        {"maps", "factored, the maps of a material", &M::maps},
+        {"map_pixel", "factored, per pixel", &M::map_pixel},
     };
     return fields;
 }

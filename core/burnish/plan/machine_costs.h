@@ -26,6 +26,8 @@ struct MachineCosts {
     double sparse_pixel = 0;                         // sparse shading: per pixel of the frame, whatever is shaded
     double reference_lookup = 0;                     // of `reference`, per lookup and pixel
     double near_ray = 0;                             // a lookup under lights that are near, in place of `lookup`
+    double maps = 0;                                 // `factored`: to solve for the maps of a material
+    double map_pixel = 0;                            // the same: per pixel, whatever the lobes
     std::map<std::string, double, std::less<>> evaluation;  // one core: to draw and evaluate one sample of each model
 };
 

@@ -162,6 +162,13 @@ public:
         costs.reference_lookup = seconds / lookups;
     }
 
+    void shade_by_maps() {
+        const double made = least_seconds([&] { MaterialShader(wearing(kRound), m_light, with({}, kFactored)); });
+        solve(&MachineCosts::maps, made, [&] { return predicted_cost(costs, wearing(kRound), kFactored, 0, m_case).tables; });
+        const double seconds = dense_seconds(m_light, kFactored);
+        solve(&MachineCosts::map_pixel, seconds, [&] { return shading_of(kFactored, m_case); });
+    }
+
     void shade_near() {
         const Configuration how{EstimatorKind::regular, 7};
         const auto taps = std::make_shared<const MaterialTaps>(wearing(kRound), with({}, how));
@@ -227,6 +234,7 @@ MachineCosts measure_costs(const Progress& progress) {
                                                   {"tables", &Calibration::make_tables},
                                                   {"dense shading", &Calibration::shade_densely},
                                                   {"sparse shading", &Calibration::shade_sparsely},
+                                                  {"maps", &Calibration::shade_by_maps},
                                                   {"reference", &Calibration::shade_exactly},
                                                   {"near lights", &Calibration::shade_near}};
     for (size_t i = 0; i < std::size(steps); ++i) {

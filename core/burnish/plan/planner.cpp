@@ -1,5 +1,7 @@
 #include <burnish/plan/planner.h>
 
+#include <burnish/shading/factored.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,7 +24,7 @@ constexpr Configuration kReference{EstimatorKind::reference, 0};
 double level_of_largest(double largest) { return -20 * std::log10(largest / kPeakOverRms); }
 
 bool reads_stack(const Configuration& configuration, float safety) {
-    return safety > 0 || configuration.estimator == EstimatorKind::fitted;
+    return safety > 0 || configuration.estimator == EstimatorKind::fitted || configuration == kFactored;
 }
 bool reads_pyramid(const Configuration& configuration) {
     return configuration.estimator == EstimatorKind::regular || configuration.estimator == EstimatorKind::filtered_importance;
@@ -133,10 +135,12 @@ std::vector<Planner::Choice> Planner::choose_all(double level) const {
 
 Planner::Choice Planner::choose(size_t subject, double level, const Forms& allowed) const {
     Choice best{kReference, 0, level, reference_seconds_of(subject, tolerance_for(level))};
+    const bool has_maps = !m_subjects[subject].cost.is_near && can_be_factored(m_materials[subject]);
     for (const Configuration& configuration : configurations())
         for (const float safety : m_subjects[subject].safeties) {
             if (reads_stack(configuration, safety) && !allowed.stack) continue;
             if (reads_pyramid(configuration) && !allowed.pyramid) continue;
+            if (configuration == kFactored && (safety > 0 || !has_maps)) continue;
             const double db = m_forecasts[subject].total(configuration, safety, kCaution);
             const double cost = seconds(subject, configuration, safety);
             if (db >= level && cost < best.seconds) best = {configuration, safety, db, cost};
@@ -248,8 +252,8 @@ bool Planner::correct(size_t subject, const Closeness& found) {
 }
 
 std::string_view estimator_name(EstimatorKind kind) {
-    constexpr std::string_view kNames[] = {"fitted",       "regular",   "filtered_importance",
-                                           "preconvolved", "split_sum", "reference"};
+    constexpr std::string_view kNames[] = {"fitted",   "regular",  "filtered_importance", "preconvolved", "split_sum",
+                                           "factored", "reference"};
     return kNames[static_cast<size_t>(kind)];
 }
 
@@ -258,6 +262,9 @@ std::string in_words(const MaterialPlan& plan) {
     char text[96];
     if (plan.estimator.kind == EstimatorKind::reference)
         std::snprintf(text, sizeof text, "reference to %.2g %% of each pixel", 100.0 * plan.estimator.tolerance);
+    else if (plan.estimator.kind == EstimatorKind::factored)
+        std::snprintf(text, sizeof text, "factored, maps %s of %d texels, every pixel", plan.estimator.parametrization.c_str(),
+                      plan.estimator.map_size);
     else if (plan.safety > 0)
         std::snprintf(text, sizeof text, "%s, %d lookups a lobe, sparse at safety %g", name.c_str(), plan.estimator.samples,
                       plan.safety);

@@ -24,6 +24,13 @@ void require_factored(const Material& material) {
                             "estimator, or let all lobes take tint and weight (--per-pixel)");
 }
 
+bool can_be_factored(const Material& material) try {
+    require_factored(material);
+    return true;
+} catch (const Error&) {
+    return false;
+}
+
 Factors factored_light(const Material& material, const Environment& light, const EstimatorSettings& settings,
                        const Progress& progress) {
     require_factored(material);

@@ -21,6 +21,8 @@ struct ShadedBatch;
 /// its lobes alone.
 void require_factored(const Material& material);
 
+bool can_be_factored(const Material& material);
+
 /// Maps of a material under a light. Throws as require_factored.
 Factors factored_light(const Material& material, const Environment& light, const EstimatorSettings& settings,
                        const Progress& progress = {});
@@ -28,7 +30,8 @@ Factors factored_light(const Material& material, const Environment& light, const
 /// A material under distant light by its maps.
 class FactoredShader {
 public:
-    /// The light must outlive the shader. Throws as require_factored and FactorShading.
+    /// By maps of the material under this light, however it was turned and scaled since. The light must outlive the shader. Throws as
+    /// require_factored and FactorShading.
     FactoredShader(const Material& material, const Environment& light, const Factors& factors);
 
     /// Sets overlay and samples; out has the size of the batch.

@@ -211,14 +211,11 @@ struct MaterialShader::LobeShader {
 
 MaterialShader::MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings) {
     if (settings.kind == EstimatorKind::factored) {
-        *this = MaterialShader(material, light, factored_light(material, light, settings));
+        m_factored = std::make_shared<const FactoredShader>(material, light, factored_light(material, light, settings));
         return;
     }
     for (const LobeParameters& lobe : material.lobes) m_lobes.push_back(std::make_shared<LobeShader>(lobe, light, settings));
 }
-
-MaterialShader::MaterialShader(const Material& material, const Environment& light, const Factors& maps)
-    : m_factored(std::make_shared<const FactoredShader>(material, light, maps)) {}
 
 MaterialShader::MaterialShader(std::shared_ptr<const MaterialTaps> taps, LightChain lights)
     : m_taps(std::move(taps)), m_lights(std::move(lights)) {}

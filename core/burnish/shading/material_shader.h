@@ -17,7 +17,6 @@
 namespace burnish {
 
 class FactoredShader;
-struct Factors;
 struct MaterialTaps;
 struct RunningReference;
 
@@ -35,8 +34,8 @@ public:
     /// seconds; throws Error(bad_argument) where no maps can stand for the material (factored.h).
     MaterialShader(const Material& material, const Environment& light, const EstimatorSettings& settings);
 
-    /// `factored` by maps that were made of the material under this light, however turned and scaled. Throws as FactoredShader.
-    MaterialShader(const Material& material, const Environment& light, const Factors& maps);
+    /// `factored` by maps that are there.
+    explicit MaterialShader(std::shared_ptr<const FactoredShader> factored) : m_factored(std::move(factored)) {}
 
     /// Under any lights, not by `factored`. `taps`: of the material, see MaterialTaps.
     MaterialShader(std::shared_ptr<const MaterialTaps> taps, LightChain lights);

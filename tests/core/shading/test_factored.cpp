@@ -23,6 +23,10 @@ EstimatorSettings by_maps(const std::string& parametrization = "nre") {
 
 Material rough(float m = 0.3f) { return {"rough", Color3f(0), {lobe_of(ModelId::ggx, m, m)}}; }
 
+MaterialShader by(const Material& material, const Environment& light, const Factors& maps) {
+    return MaterialShader(std::make_shared<const FactoredShader>(material, light, maps));
+}
+
 Environment spots() {
     EnvironmentSettings settings;
     settings.face_size = 64;
@@ -95,9 +99,9 @@ TEST(Factored, KeepsItsMapsWhenTheLightIsTurned) {
     const Environment other = light.relit(turned);
     const Factors maps = factored_light(rough(), light, by_maps());
     const Sphere sphere;
-    const PixelVector<float> kept = sphere.shade(MaterialShader(rough(), other, maps));
+    const PixelVector<float> kept = sphere.shade(by(rough(), other, maps));
     EXPECT_EQ(kept, sphere.shade(MaterialShader(rough(), other, by_maps())));
-    EXPECT_NE(kept, sphere.shade(MaterialShader(rough(), light, maps)));
+    EXPECT_NE(kept, sphere.shade(by(rough(), light, maps)));
 }
 
 TEST(Factored, TakesTintAndWeightOfTheWholeMaterialFromLayers) {
@@ -108,11 +112,11 @@ TEST(Factored, TakesTintAndWeightOfTheWholeMaterialFromLayers) {
     batch.pixel.push_back(0), batch.n.push_back({0, 0, 1}), batch.wo.push_back({0, 0.6f, 0.8f});
     ShadedBatch plain, shaded;
     const Factors maps = factored_light(rough(), light, by_maps("nr"));
-    MaterialShader(rough(), light, maps).shade(batch, plain);
+    by(rough(), light, maps).shade(batch, plain);
     batch.weight.push_back(0.5f), batch.tint.push_back({1, 0.5f, 0});
-    MaterialShader(layered, light, maps).shade(batch, shaded);
+    by(layered, light, maps).shade(batch, shaded);
     EXPECT_EQ(shaded.overlay[0], plain.overlay[0] * Color3f(1, 0.5f, 0) * 0.5f);
-    MaterialShader(rough(), light, maps).shade(batch, shaded);
+    by(rough(), light, maps).shade(batch, shaded);
     EXPECT_EQ(shaded.overlay[0], plain.overlay[0]);
 }
 
@@ -126,7 +130,7 @@ TEST(Factored, RefusesWhatMapsCannotHold) {
     EXPECT_NE(refusal(layered, light).find("layer"), std::string::npos);
     EXPECT_NE(refusal(coated, light).find("some of its lobes"), std::string::npos);
     EXPECT_THROW(MaterialTaps(rough(), by_maps()), Error);
-    EXPECT_THROW(MaterialShader(rough(), light, uniform_factors(parametrization_by_name("io"), Mapping::cube, 8)), Error);
+    EXPECT_THROW(by(rough(), light, uniform_factors(parametrization_by_name("io"), Mapping::cube, 8)), Error);
 }
 
 TEST(Factored, IsTheSameForAnyThreadCount) {
