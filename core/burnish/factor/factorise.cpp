@@ -2,6 +2,7 @@
 
 #include <burnish/factor/log_solution.h>
 #include <burnish/factor/polish.h>
+#include <burnish/factor/tell_by_views.h>
 
 namespace burnish {
 namespace {
@@ -21,24 +22,30 @@ void check(std::span<const FactorSample> samples) {
 
 void check(const FactoriseSettings& settings) {
     constexpr int kMostTerms = 8;
-    if (settings.terms < 1 || settings.terms > kMostTerms)
-        throw Error(ErrorCode::bad_argument,
-                    "expected 1 to 8 terms of a factorisation, found " + std::to_string(settings.terms));
+    if (settings.terms < 0 || settings.terms > kMostTerms)
+        throw Error(ErrorCode::bad_argument, "expected up to 8 terms of a factorisation (0: by its parametrisation), found " +
+                                                 std::to_string(settings.terms));
     if (settings.terms > 1 && !settings.polish)
         throw Error(ErrorCode::bad_argument,
                     "a factorisation of more than one term needs its polish; leave it on, or ask for one term");
 }
 
-/// Appends a term that is 0, as its last map is, and whose other maps slope: not even, so that any residual tells on it.
-Colors with_new_term(const FactorTerm& term, const Colors& x) {
+/// Half a turn more for each `order`, along a direction that no mapping favours.
+float wave(const Vec3f& d, int order) {
+    return std::cos(kPi * static_cast<float>(order) * 0.5f * (1 + d.dot(Vec3f(0.48f, 0.6f, 0.64f))));
+}
+
+/// Appends a term that is 0, as its first map is, and whose other maps go up and down, for each new term once more: so that any residual
+/// tells on it.
+Colors with_new_term(const FactorTerm& term, const Colors& x, int terms) {
     int count = 0;
     for (const FactorMap& map : term) count += map.layout.texels();
     Colors grown = Colors::Zero(x.rows() + count, 4);
     grown.topRows(x.rows()) = x;
-    Eigen::Index row = x.rows();
-    for (const FactorMap& map : std::span(term).first(term.size() - 1))
+    Eigen::Index row = x.rows() + term[0].layout.texels();
+    for (const FactorMap& map : std::span(term).subspan(1))
         for (int texel = 0; texel < map.layout.texels(); ++texel)
-            grown.row(row++).setConstant(map.layout.direction(texel).dot(Vec3f(0.48f, 0.6f, 0.64f)));
+            grown.row(row++).setConstant(wave(map.layout.direction(texel), terms - 1));
     return grown;
 }
 
@@ -54,17 +61,19 @@ Factors factorise(const Parametrization& parametrization, std::span<const Factor
     check(samples);
     check(settings);
     progress.report("factor", 0);
-    const float share = 1 / static_cast<float>(settings.terms);
+    const int all_terms = !settings.polish ? 1 : settings.terms > 0 ? settings.terms : parametrization.terms;
+    const float share = 1 / static_cast<float>(all_terms);
     FactorLevel level(parametrization, samples, guide, settings);
     Colors x = log_solution(level, settings);
     if (settings.polish) x = polished(level, std::move(x), settings, part_of(progress, 0.2f * share, share));
     level.set_texels(x);
-    for (int terms = 2; terms <= settings.terms; ++terms) {
+    for (int terms = 2; terms <= all_terms; ++terms) {
         const float done = share * static_cast<float>(terms);
         level = FactorLevel(parametrization, samples, guide, settings, terms);
-        x = polished(level, with_new_term(level.factors.terms[0], x), settings, part_of(progress, done - share, done));
+        x = polished(level, with_new_term(level.factors.terms[0], x, terms), settings, part_of(progress, done - share, done));
         level.set_texels(x);
     }
+    tell_by_views(level.factors);
     progress.report("factor", 1);
     return level.factors;
 }

@@ -25,8 +25,8 @@ struct FactoriseSettings {
     float bias = 1e-5f;        // epsilon: of the mean, added before logarithms are taken
     int iterations = 200;      // of conjugate gradients, at most
     float tolerance = 1e-4f;   // of the gradient
-    int terms = 1;             // products that are summed; those after the first have signs
-    bool polish = true;        // else the error of logarithms is made least, with one term only
+    int terms = 0;             // products that are summed, 0 = as many as the parametrisation says; they have signs if several
+    bool polish = true;        // else the error of logarithms is made least, by one term
 };
 
 /// Throws Error(bad_argument) for no samples, for directions, values or weights

@@ -26,6 +26,7 @@ using FactorTerm = std::vector<FactorMap>;
 struct Factors {
     const Parametrization* parametrization = nullptr;
     FactorGuide guide;
+    bool holds_suns = true;         // of lighting: else the light's bright discs are left to the shader (bright_discs.h)
     std::vector<FactorTerm> terms;  // one, or more where a single product does not do; all of the same layouts
 
     /// BRDF in 1/sr, or radiance. Below zero never: what terms after the first take too much is cut off.

@@ -111,9 +111,11 @@ Factor by(std::string_view direction, int map) {
 const std::vector<Parametrization>& known() {
     static const std::vector<Parametrization> all = {
         {"re",
-         "reflection, by the view's elevation: two terms of it are exact but for what the surface's own horizon hides",
+         "reflection seen from above and near the horizon, shared out by the view's elevation",
          kLighting,
-         {by("reflection", 0), by("elevation", 1)}},
+         {by("reflection", 0), by("elevation", 1)},
+         nullptr,
+         2},
         {"nr", "normal and reflection (Factor 64)", kLighting, {by("normal", 0), by("reflection", 1)}},
         {"nre",
          "normal and reflection, by the view's elevation",

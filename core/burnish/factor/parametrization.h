@@ -43,6 +43,7 @@ struct Parametrization {
     /// Of BRDFs: the pair that a direction of the first map makes with another one, by which maps are sampled evenly. Below the
     /// surface where there is no such pair.
     DirectionPair (*pair_of)(const Vec3f& first, const Vec3f& second) = nullptr;
+    int terms = 1;  // products that are summed, where nothing else is asked for
 
     int map_count() const;
     bool needs_dominant() const;

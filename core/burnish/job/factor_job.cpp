@@ -64,7 +64,7 @@ FactoriseSettings maps_from_json(const JsonFields& fields, const Sizes& sizes, b
     if (fields.has("mapping")) maps.sphere = mapping_by_name(fields.name("mapping", kSpheres));
     maps.measure = choice(fields, "measure", kFactorMeasures, maps.measure);
     maps.smoothness = fields.number("smoothness", {0, 1000}, sparse ? kSparseSmoothness : maps.smoothness);
-    maps.terms = fields.whole_number("terms", {1, 4}, maps.terms);
+    maps.terms = fields.whole_number("terms", {0, 4}, maps.terms);
     maps.polish = fields.boolean("polish", maps.polish);
     return maps;
 }

@@ -35,7 +35,7 @@ const Parametrization& parametrization_of(const FactorJob& job, FactoredFunction
     const bool is_brdf = of == FactoredFunction::brdf;
     const Parametrization& chosen = parametrization_by_name(!job.parametrization.empty() ? job.parametrization
                                                             : is_brdf                    ? "pqp"
-                                                                                         : "nre");
+                                                                                         : "re");
     if (chosen.of == of) return chosen;
     throw Error(ErrorCode::bad_argument,
                 "parametrisation " + chosen.name +
@@ -99,7 +99,7 @@ private:
                         "methods svd and normalised factor BRDFs; leave out env, or take the method homomorphic");
         const bool is_svd = m_job.method == FactorMethod::svd;
         const DecomposeSettings settings{is_svd ? Decomposition::svd : Decomposition::normalised, m_job.maps.size,
-                                         m_job.maps.terms};
+                                         std::max(m_job.maps.terms, 1)};
         return decompose(parametrization, brdf(), settings, part(0.3f, 0.8f));
     }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <burnish/light/bright_discs.h>
+#include <burnish/light/environment.h>
 #include <burnish/material/lobe.h>
 #include <burnish/shading/half_slopes.h>
 #include <burnish/shading/shading_point.h>
@@ -139,6 +140,18 @@ Color3f disc_light(const LobeType& lobe, std::span<const BrightDisc> discs, cons
         sum += disc.flux * (small ? disc_value(lobe, point, local) : disc_mean(lobe, point, local));
     }
     return sum;
+}
+
+/// Adds the light of an environment's discs, which filtered lookups do not hold; its gain and the points' scale included.
+template <class LobeType>
+void add_disc_light(const LobeType& prototype, const LobeParameters& lobe, const Environment& light, const SurfaceBatch& batch,
+                    std::span<Color3f> overlay) {
+    if (light.discs().empty()) return;
+    for (size_t i = 0; i < batch.size(); ++i) {
+        const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
+        const Color3f discs = disc_light(prototype.with_widths(point.mx, point.my), light.discs(), point);
+        overlay[i] += discs * point.scale * light.gain();
+    }
 }
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <burnish/base/error.h>
 #include <burnish/factor/factorise.h>
+#include <burnish/shading/disc_light.h>
 #include <burnish/shading/lighting_samples.h>
 #include <burnish/shading/material_shader.h>
 
@@ -40,19 +41,22 @@ Factors factored_light(const Material& material, const Environment& light, const
     constexpr float kSampled = 0.3f;  // of the time, about
     const Parametrization& parametrization = parametrization_by_name(settings.parametrization);
     LightingSampling sampling;
-    sampling.size = kGrid;
+    sampling.size = kGrid, sampling.suns = false;
     const std::vector<FactorSample> samples = lighting_samples(material, light, sampling, part_of(progress, 0, kSampled));
     FactorGuide guide = FactorGuide::of(material);
     if (parametrization.needs_dominant()) guide.dominant = dominant_direction(light);
     FactoriseSettings how;
     how.size = settings.map_size, how.measure = FactorMeasure::display;
-    return factorise(parametrization, samples, guide, how, part_of(progress, kSampled, 1));
+    Factors factors = factorise(parametrization, samples, guide, how, part_of(progress, kSampled, 1));
+    factors.holds_suns = false;
+    return factors;
 }
 
 FactoredShader::FactoredShader(const Material& material, const Environment& light, const Factors& factors)
     : m_shading(factors), m_light(light) {
     require_factored(material);
     if (!material.lobes.empty()) m_layers = material.lobes[0].per_pixel;
+    if (!factors.holds_suns) m_sunlit = material.lobes;
 }
 
 void FactoredShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
@@ -64,6 +68,8 @@ void FactoredShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
         if (tinted) overlay[i] *= Color3f(batch.tint[i]);
         if (weighed) overlay[i] *= batch.weight[i];
     }
+    for (const LobeParameters& lobe : m_sunlit)
+        visit_lobe(lobe, [&](const auto& own) { add_disc_light(own, lobe, m_light, batch, overlay); });
     std::ranges::fill(out.samples, static_cast<float>(m_shading.lookup_count()));
 }
 

@@ -2,7 +2,8 @@
 // over directions (factors.h), made beforehand. No integral is left at the pixel, at the price of a fixed error that no number of
 // lookups makes smaller.
 //
-// Maps know the light's axes alone: however the light is turned, scaled or tinted, they stay.
+// Maps know the light's axes alone: however the light is turned, scaled or tinted, they stay. Suns, whose highlights are sharper than
+// maps, are left to disc_light.h, as other estimators do; maps of files hold them.
 #pragma once
 
 #include <burnish/base/progress.h>
@@ -12,6 +13,7 @@
 #include <burnish/shading/factor_shading.h>
 
 #include <memory>
+#include <vector>
 
 namespace burnish {
 
@@ -39,7 +41,8 @@ public:
 
 private:
     FactorShading m_shading;
-    PerPixel m_layers;  // tint and weight that all lobes take
+    PerPixel m_layers;                     // tint and weight that all lobes take
+    std::vector<LobeParameters> m_sunlit;  // lobes that suns are to be added for
     const Environment& m_light;
 };
 

@@ -91,7 +91,7 @@ std::vector<FactorSample> lighting_samples(const Material& material, const Envir
     for_each_index(static_cast<int>(grid.size()), [&](int i) {
         ViewsOf views(grid[i], grid, light_to_world, sampling.weight);
         ShadedBatch shaded;
-        shader.shade(views.batch, shaded);
+        sampling.suns ? shader.shade(views.batch, shaded) : shader.shade_without_suns(views.batch, shaded);
         for (size_t k = 0; k < views.samples.size(); ++k) views.samples[k].value = shaded.overlay[k];
         of_normal[i] = std::move(views.samples);
         const std::lock_guard lock(reporting);

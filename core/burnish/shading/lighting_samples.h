@@ -24,6 +24,7 @@ struct LightingSampling {
     int size = 26;  // texels a side of the two discs that normals and views are taken from: 26 makes 400 000 pairs
     ViewWeight weight = ViewWeight::projected;
     EstimatorSettings estimator;
+    bool suns = true;  // else the light without its bright discs, for shaders that add these themselves (disc_light.h)
 };
 
 /// Throws Error(bad_argument) where `material` has no such function: an anisotropic lobe, or one that layers change.

@@ -162,17 +162,6 @@ struct MaterialShader::LobeShader {
         return sum;
     }
 
-    /// Light of suns, which the filtered lookups do not hold.
-    template <class LobeType>
-    void add_discs(const LobeType& prototype, const SurfaceBatch& batch, ShadedBatch& out) const {
-        if (light.discs().empty()) return;
-        for (size_t i = 0; i < batch.size(); ++i) {
-            const ShadingPoint point = shading_point(batch, i, lobe, light.world_to_light());
-            const Color3f discs = disc_light(prototype.with_widths(point.mx, point.my), light.discs(), point);
-            out.overlay[i] += discs * point.scale * light.gain();
-        }
-    }
-
     template <class LobeType>
     void add_reference(const LobeType& prototype, const SurfaceBatch& batch, ShadedBatch& out, uint32_t lobe_index) const {
         const std::vector<int> passes = first_passes(batch, out);
@@ -245,6 +234,13 @@ void MaterialShader::shade(const SurfaceBatch& batch, ShadedBatch& out) const {
         shade_distant(batch, out);
 }
 
+void MaterialShader::shade_without_suns(const SurfaceBatch& batch, ShadedBatch& out) const {
+    out.overlay.assign(batch.size(), Color3f(0, 0, 0));
+    out.samples.assign(batch.size(), 0.0f);
+    out.standard_error.clear();
+    for (const auto& lobe : m_lobes) lobe->add_filtered(batch, out);
+}
+
 void MaterialShader::add_pass(const SurfaceBatch& batch, std::span<RunningReference> running) const {
     for (uint32_t index = 0; m_taps && index < m_taps->lobes.size(); ++index)
         add_local_pass(m_taps->lobes[index], index, m_lights, batch, running);
@@ -275,7 +271,7 @@ void MaterialShader::shade_distant(const SurfaceBatch& batch, ShadedBatch& out) 
             if (reference)
                 shader.add_reference(lobe, batch, out, index);
             else
-                shader.add_discs(lobe, batch, out);
+                add_disc_light(lobe, shader.lobe, shader.light, batch, out.overlay);
         });
     }
 }

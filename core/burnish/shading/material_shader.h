@@ -43,6 +43,9 @@ public:
     /// Shades a batch into `out`. Thread-safe; the same pixel gives the same bits in whatever batch it comes.
     void shade(const SurfaceBatch& batch, ShadedBatch& out) const;
 
+    /// Without the environment's bright discs, whatever they cover; under distant light by a filtered estimator.
+    void shade_without_suns(const SurfaceBatch& batch, ShadedBatch& out) const;
+
     /// Adds the next pass of `reference` to what it has summed up at each pixel, whatever its tolerance. Of `reference` only;
     /// thread-safe as `shade`.
     void add_pass(const SurfaceBatch& batch, std::span<RunningReference> running) const;
