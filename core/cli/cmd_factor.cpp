@@ -107,7 +107,8 @@ void add_maps(FieldOptions& fields, CLI::App& command, json& values) {
     fields.add_choice("measure", kFactorMeasures, "which error is made least [relative]");
     fields.add_choice("weight", kViewWeights,
                       "lighting: pairs of normal and view count the same, or as they are seen [projected]");
-    fields.add<float>("--smoothness", "smoothness", "of the maps, where samples leave them open [0.02]", "0..");
+    fields.add<float>("--smoothness", "smoothness", "of the maps, where samples leave them open [0.02, of measured files 1]",
+                      "0..");
     command.add_flag_function(
         "--no-polish", [&values](std::int64_t) { values["polish"] = false; }, "keep the first solution, which is less exact");
 }

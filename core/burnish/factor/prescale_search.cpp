@@ -8,6 +8,8 @@
 namespace burnish {
 namespace {
 
+constexpr float kBias = 1e-5f;  // of the mean: what is darker does not count
+
 /// Samples enough to tell choices apart, from all over the list.
 std::vector<FactorSample> some_of(std::span<const FactorSample> samples) {
     constexpr size_t kEnough = 6000;
@@ -54,7 +56,7 @@ private:
     float uses(size_t map) const { return static_cast<float>(m_factors.parametrization->uses(static_cast<int>(map) - 1)); }
 
     double error(const QuantiseSettings& settings) const {
-        const FactorError told = factor_error(quantise(m_factors, settings), m_samples);
+        const FactorError told = factor_error(quantise(m_factors, settings), m_samples, kBias);
         return told.average_relative * told.rms;
     }
 

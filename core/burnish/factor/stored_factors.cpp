@@ -88,8 +88,8 @@ bool serves(const DirectionMap& layout, DirectionDomain domain) {
 
 FactorMap map_from_json(const JsonFields& fields, const Parametrization& parametrization, int map) {
     fields.expect_only(std::array<std::string_view, 3>{"name", "mapping", "size"});
-    if (fields.text("name") != map_name(parametrization, map))
-        fail_expected(fields.path("name"), "\"" + map_name(parametrization, map) + "\"", fields.at("name"));
+    const std::string name = map_name(parametrization, map);
+    if (fields.text("name") != name) fail_expected(fields.path("name"), name, fields.at("name"));
     std::vector<std::string_view> mappings;
     for (const Mapping mapping :
          {Mapping::hemispherical, Mapping::parabolic, Mapping::double_parabolic, Mapping::cube, Mapping::elevation})

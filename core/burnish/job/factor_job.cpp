@@ -3,6 +3,7 @@
 #include <burnish/base/error.h>
 #include <burnish/factor/parametrization.h>
 #include <burnish/job/settings.h>
+#include <burnish/material/measured/read_measured.h>
 
 #include <nlohmann/json.hpp>
 
@@ -52,13 +53,17 @@ json scene_settings(const json& values) {
     return settings;
 }
 
-FactoriseSettings maps_from_json(const JsonFields& fields, const Sizes& sizes) {
+/// Measured pairs are so few that most texels are only told by their neighbours.
+bool is_sparse(const FactorJob& job) { return job.scene.environment.empty() && is_measured_name(job.material); }
+
+FactoriseSettings maps_from_json(const JsonFields& fields, const Sizes& sizes, bool sparse) {
+    constexpr float kSparseSmoothness = 1;
     constexpr std::array<std::string_view, 2> kSpheres = {"double_parabolic", "cube"};
     FactoriseSettings maps;
     maps.size = fields.whole_number("size", {DirectionMap::kLeastSize, DirectionMap::kMostSize}, sizes.texels);
     if (fields.has("mapping")) maps.sphere = mapping_by_name(fields.name("mapping", kSpheres));
     maps.measure = choice(fields, "measure", kFactorMeasures, maps.measure);
-    maps.smoothness = fields.number("smoothness", {0, 1000}, maps.smoothness);
+    maps.smoothness = fields.number("smoothness", {0, 1000}, sparse ? kSparseSmoothness : maps.smoothness);
     maps.terms = fields.whole_number("terms", {1, 4}, maps.terms);
     maps.polish = fields.boolean("polish", maps.polish);
     return maps;
@@ -99,7 +104,7 @@ FactorJob factor_job_from_json(const json& values, const std::string& where) {
     if (!job.parametrization.empty()) parametrization_by_name(job.parametrization);
     job.method = choice(fields, "method", kFactorMethods, job.method);
     const Sizes sizes = kSizes[static_cast<size_t>(choice(fields, "quality", kFactorQualities, FactorQuality::normal))];
-    job.maps = maps_from_json(fields, sizes);
+    job.maps = maps_from_json(fields, sizes, is_sparse(job));
     job.grid = fields.whole_number("grid", {4, 64}, sizes.grid);
     job.weight = choice(fields, "weight", kViewWeights, job.weight);
     job.eight_bit = eight_bit_from_json(fields);

@@ -16,7 +16,7 @@ namespace burnish {
 struct FactorReport {
     StoredFactors stored;
     size_t samples = 0;
-    FactorError error;                         // of the maps as they are, at the samples they were made from
+    FactorError error;                         // of the maps as they are, at the samples; relative to them and maps.bias
     std::optional<QuantisedFactors> pictures;  // where PNGs were written
     std::optional<FactorError> picture_error;
     std::optional<double> display_psnr_db;  // lighting: against the estimator `reference`, where it is seen

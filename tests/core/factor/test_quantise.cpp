@@ -1,6 +1,10 @@
 // Factors in 8 bits: what they keep, how far they are off.
+#include "cook_torrance.h"
+
 #include <burnish/base/error.h>
+#include <burnish/factor/brdf_samples.h>
 #include <burnish/factor/factor_error.h>
+#include <burnish/factor/factorise.h>
 #include <burnish/factor/prescale_search.h>
 
 #include <gtest/gtest.h>
@@ -107,6 +111,22 @@ TEST(Quantise, SearchesNothingThatIsGiven) {
     const QuantiseSettings found = best_prescale(factors, given, samples_of(factors, 100));
     EXPECT_EQ(found.weights, given.weights);
     EXPECT_EQ(found.white, 3);
+}
+
+TEST(Quantise, KeepsTheGoldOfTheSource) {
+    // Factor 4.3: average relative error 0.094 of the maps, 0.240 of 8 bits; RMS 0.294 and 0.862.
+    const Parametrization& pqp = parametrization_by_name("pqp");
+    const CookTorrance gold{0.3f};
+    const std::vector<FactorSample> samples = brdf_samples(pqp, gold, {.size = 14});
+    constexpr float kBias = 1e-5f;
+    FactoriseSettings maps;
+    maps.size = 32;
+    const Factors factors = factorise(pqp, samples, {}, maps);
+    const QuantisedFactors eight_bit = quantise(factors, best_prescale(factors, {}, samples));
+    const FactorError is = factor_error(factors, samples, kBias), rounded = factor_error(eight_bit, samples, kBias);
+    EXPECT_LT(is.average_relative, 0.094);
+    EXPECT_LT(rounded.average_relative, 0.24);
+    EXPECT_LT(rounded.rms, 0.862 / 0.294 * is.rms);
 }
 
 TEST(Quantise, RefusesWhatCannotBe) {
