@@ -56,15 +56,18 @@ void read_maps(const Job& job, const std::string& material, const std::string& c
     if (named != job.factors.end() && !all.contains(called)) all[called] = read_factors(named->second).factors;
 }
 
-/// Maps for materials that nothing wears, or beside another estimator, are a mistake.
-void check_maps(const Job& job, const std::set<std::string>& worn) {
+/// Maps beside another estimator are a mistake, and so are maps of materials that nothing wears.
+void check_maps_are_read(const Job& job) {
+    if (!job.factors.empty() && job.estimator.kind != EstimatorKind::factored && !job.target.is_set())
+        throw Error(ErrorCode::bad_argument,
+                    "factors: only the estimator factored reads maps; add --estimator factored, or leave them out");
+}
+
+void check_maps_are_worn(const Job& job, const std::set<std::string>& worn) {
     for (const auto& [name, file] : job.factors)
         if (!worn.contains(name))
             throw Error(ErrorCode::bad_argument,
                         "factors: no rule wears material '" + name + "', whose maps are in " + file + "; correct its name");
-    if (!job.factors.empty() && job.estimator.kind != EstimatorKind::factored && !job.target.is_set())
-        throw Error(ErrorCode::bad_argument,
-                    "factors: only the estimator factored reads maps; add --estimator factored, or leave them out");
 }
 
 const Factors* find(const std::map<std::string, Factors>& all, const std::string& name) {
@@ -100,6 +103,7 @@ Worn worn_before(const Wardrobe& wardrobe, size_t rule) {
 Wardrobe prepare_wardrobe(const Job& job) {
     Wardrobe wardrobe;
     wardrobe.rules = all_rules(job);
+    check_maps_are_read(job);
     std::set<std::string> checked, all_names;
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
@@ -116,7 +120,7 @@ Wardrobe prepare_wardrobe(const Job& job) {
             all_names.insert(old), read_maps(job, old, rule.material, wardrobe.old_factors);
         }
     }
-    check_maps(job, all_names);
+    check_maps_are_worn(job, all_names);
     return wardrobe;
 }
 
