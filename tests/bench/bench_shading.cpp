@@ -13,7 +13,8 @@ using namespace burnish;
 
 namespace {
 
-/// Arguments: lookups per pixel, threads. Model and estimator by template, so that the names of the benchmarks say what ran.
+/// Arguments: lookups per pixel, threads. Model and estimator by template, so that the names of the benchmarks say what ran; maps of
+/// `factored` by normal and reflection.
 template <ModelId model, EstimatorKind kind>
 void shade_1080p(benchmark::State& state) {
     const ThreadLimit limit(static_cast<int>(state.range(1)));
@@ -24,7 +25,7 @@ void shade_1080p(benchmark::State& state) {
     lobe.model = model, lobe.mx = lobe.my = 0.1f;
     if (model == ModelId::kurt) lobe.extra = {0.4f};
     EstimatorSettings settings;
-    settings.kind = kind;
+    settings.kind = kind, settings.parametrization = "nr";
     settings.samples = static_cast<int>(state.range(0));
     const std::vector<MaterialShader> shaders{MaterialShader({"bench", Color3f(0, 0, 0), {lobe}}, light, settings)};
     double lookups = 0;
@@ -73,12 +74,21 @@ void make_shader(benchmark::State& state) {
 }
 
 constexpr EstimatorKind fitted = EstimatorKind::fitted, regular = EstimatorKind::regular,
-                        filtered_importance = EstimatorKind::filtered_importance;
+                        filtered_importance = EstimatorKind::filtered_importance, split_sum = EstimatorKind::split_sum,
+                        factored = EstimatorKind::factored;
 
 }  // namespace
 
+BENCHMARK(shade_1080p<ModelId::ggx, factored>)
+    ->ArgsProduct({{1}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK(shade_1080p<ModelId::ggx, split_sum>)
+    ->ArgsProduct({{1}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::ggx, fitted>)
-    ->ArgsProduct({{2, 4, 6}, {1, 2}})
+    ->ArgsProduct({{1, 2, 4, 6}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 BENCHMARK(shade_1080p<ModelId::kurt, regular>)

@@ -1,6 +1,7 @@
 #include <burnish/job/look.h>
 
 #include <burnish/base/error.h>
+#include <burnish/factor/factors_file.h>
 #include <burnish/job/look_plan.h>
 #include <burnish/job/ready_materials.h>
 #include <burnish/material/albedo.h>
@@ -49,6 +50,23 @@ void warn_of_energy(const std::string& name, const Material& material, std::vect
     warnings.push_back("material '" + name + "' creates energy: it reflects " + numbers + "; lower its strength");
 }
 
+/// The maps that the job names for a material, into `all` by what it is called there.
+void read_maps(const Job& job, const std::string& material, const std::string& called, std::map<std::string, Factors>& all) {
+    const auto named = job.factors.find(material);
+    if (named != job.factors.end() && !all.contains(called)) all[called] = read_factors(named->second).factors;
+}
+
+/// Maps for materials that nothing wears, or beside another estimator, are a mistake.
+void check_maps(const Job& job, const std::set<std::string>& worn) {
+    for (const auto& [name, file] : job.factors)
+        if (!worn.contains(name))
+            throw Error(ErrorCode::bad_argument,
+                        "factors: no rule wears material '" + name + "', whose maps are in " + file + "; correct its name");
+    if (!job.factors.empty() && job.estimator.kind != EstimatorKind::factored && !job.target.is_set())
+        throw Error(ErrorCode::bad_argument,
+                    "factors: only the estimator factored reads maps; add --estimator factored, or leave them out");
+}
+
 const Factors* find(const std::map<std::string, Factors>& all, const std::string& name) {
     const auto found = all.find(name);
     return found == all.end() ? nullptr : &found->second;
@@ -82,7 +100,7 @@ Worn worn_before(const Wardrobe& wardrobe, size_t rule) {
 Wardrobe prepare_wardrobe(const Job& job) {
     Wardrobe wardrobe;
     wardrobe.rules = all_rules(job);
-    std::set<std::string> checked;
+    std::set<std::string> checked, all_names;
     for (const AssignRule& rule : wardrobe.rules) {
         const Material& material = wardrobe.materials.emplace_back(resolve(job, rule.material));
         wardrobe.kd.emplace_back(material);
@@ -91,9 +109,14 @@ Wardrobe prepare_wardrobe(const Job& job) {
             for (const std::string& note : material.notes)
                 wardrobe.warnings.push_back("material '" + rule.material + "': " + note);
         }
-        if (job.composite.mode == CompositeMode::difference)
-            wardrobe.old_materials.push_back(resolve(job, old_name(job, rule.material)));
+        all_names.insert(rule.material), read_maps(job, rule.material, rule.material, wardrobe.factors);
+        if (job.composite.mode == CompositeMode::difference) {
+            const std::string& old = old_name(job, rule.material);
+            wardrobe.old_materials.push_back(resolve(job, old));
+            all_names.insert(old), read_maps(job, old, rule.material, wardrobe.old_factors);
+        }
     }
+    check_maps(job, all_names);
     return wardrobe;
 }
 

@@ -31,7 +31,8 @@ struct Wardrobe {
     std::vector<std::string> warnings;  // materials that create energy
 };
 
-/// Throws Error(bad_argument) when the job has no material, or one that is neither its own, a preset nor a file.
+/// Throws Error(bad_argument) when the job has no material, or one that is neither its own, a preset nor a file, and for maps that
+/// nothing would read; as read_factors.
 Wardrobe prepare_wardrobe(const Job& job);
 
 /// How a material is shaded.

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFitEvaluations = 2500;  // of the model, for one fit
 constexpr double kFitGrowth = 1.4;        // of a fit's time with its lookups
 constexpr double kTypicalShare = 0.3, kShareGrowth = 0.75;
-constexpr size_t kPairs = 400'000;                                        // of normal and view that maps are made from
+constexpr size_t kPairs = 130'000;                                        // of normal and view that maps are made from
 constexpr Configuration kSampler{EstimatorKind::fitted, 6};               // that these are shaded by
 constexpr Configuration kProbes{EstimatorKind::fitted, kPredictionTaps};  // that sparse shading predicts by
 

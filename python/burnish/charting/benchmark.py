@@ -24,8 +24,9 @@ LOOKUPS = {
     "filtered_importance": (4, 7, 16, 32, 64),
     "preconvolved": (4, 7, 16, 32, 64),
     "split_sum": (1,),
+    "factored": (1,),
 }
-"""Estimator -> lookups asked for, in the order of the legend; `regular` takes the pattern nearest to each."""
+"""Estimator -> lookups asked for, in the order of the legend; `regular` takes the pattern nearest to each, `factored` what its maps need."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -31,12 +31,14 @@ class Grid:
         return len(self.dense()) + MOST_MEMBERS * (len(self.safeties) + len(self.suns) + len(self.faces)) - 3
 
     def explore(self, own, lights):
-        """A generator of settings that is sent the Row of each."""
-        rows = []
+        """A generator of settings that is sent the Row of each, None of what cannot shade the part."""
+        rows, tried = [], []
         for choices in (self.of_own, self.of_density, self.of_light):
             for setting in choices(own, lights, rows):
-                if setting not in [row.setting for row in rows]:
-                    rows.append((yield setting))
+                if setting not in tried:
+                    tried.append(setting)
+                    row = yield setting
+                    rows += [row] if row else []
 
     def of_own(self, own, lights, rows):
         """The scene's own setting and all dense ones."""

@@ -16,6 +16,7 @@ LEFT = 0.065  # of the width: the margin
 INK, SOFT, FAINT = "#222222", "#555555", "#e4e4e4"
 COLOURS = {
     "fitted": "#0b62a4", "regular": "#d1495b", "filtered_importance": "#2e8b57", "preconvolved": "#c77d0a", "split_sum": "#7b5ea7",
+    "factored": "#13a3a5",
 }
 NAME_HEIGHT, LETTER_WIDTH = 0.06, 0.0145  # of a panel
 NAME_SHARE = 0.36  # of a panel's width, added on the right for names

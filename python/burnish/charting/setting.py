@@ -6,8 +6,8 @@ import dataclasses
 
 from .. import _core
 
-STACK_ESTIMATORS = ("fitted", "preconvolved", "split_sum")
-"""Those that look up in light blurred by Gaussians; sparse shading needs it too. The others look up in the pyramid alone."""
+STACK_ESTIMATORS = ("fitted", "preconvolved", "split_sum", "factored")
+"""Those that look up in light blurred by Gaussians, or make maps from it; sparse shading needs it too. The others look up in the pyramid alone."""
 
 FACES = {"full": 1, "half": 2, "quarter": 4}
 """Pyramid -> what the edge of the light's cube faces is divided by."""

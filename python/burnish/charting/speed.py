@@ -15,8 +15,9 @@ from .sweep import Sweep
 from .table import write_csv
 
 GRID = Grid({"fitted": (1, 2, 3, 4, 6, 8, 12), "regular": (4, 7, 12, 19, 30, 61), "filtered_importance": (4, 16, 64),
-             "preconvolved": (4, 16, 64), "split_sum": (1,)})
-QUICK_GRID = Grid({"fitted": (2, 4, 8), "regular": (7, 19), "filtered_importance": (16,), "preconvolved": (16,), "split_sum": (1,)},
+             "preconvolved": (4, 16, 64), "split_sum": (1,), "factored": (1,)})
+QUICK_GRID = Grid({"fitted": (2, 4, 8), "regular": (7, 19), "filtered_importance": (16,), "preconvolved": (16,), "split_sum": (1,),
+                   "factored": (1,)},
                   (1.0, 2.0), ("keep",), ("half",))
 EFFORT = Effort()
 QUICK_EFFORT = Effort(tolerance=0.03, most_lookups=4096, pixels=300, seconds=0.1)

@@ -14,6 +14,9 @@ from . import measure
 from .bench import Bench, Seen, together
 from .scene import WHOLE
 
+REFUSING = ("factored",)
+"""Estimators that say no to some materials and lights: anisotropic ones, and those that are near."""
+
 
 @dataclasses.dataclass
 class Sweep:
@@ -73,16 +76,25 @@ class Sweep:
         row = None
         try:
             while True:
-                setting = asked.send(row)
-                row = self.store.find(digest, part.name, setting)
-                if row is None:
-                    row = bench.row(part, seen, setting)
-                    self.store.add(digest, row)
-                    self.progress.step(row)
-                else:
-                    self.progress.skip()
+                row = self.row_of(digest, bench, part, seen, asked.send(row))
         except StopIteration:
             return
+
+    def row_of(self, digest, bench, part, seen, setting):
+        """From the store, or measured; None where the estimator cannot shade the part."""
+        row = self.store.find(digest, part.name, setting)
+        if row is None:
+            try:
+                row = bench.row(part, seen, setting)
+            except BadArgument:
+                if setting.estimator not in REFUSING:
+                    raise
+            else:
+                self.store.add(digest, row)
+                self.progress.step(row)
+                return row
+        self.progress.skip()
+        return row
 
 
 class Kept:

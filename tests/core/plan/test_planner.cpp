@@ -33,6 +33,7 @@ protected:
                     MaterialShader(material, *light, exact));
         PlanSubject subject{&material, std::move(truth), {}, {}, {0, 1, 2}};
         subject.cost.pixels = pixels, subject.cost.frame_pixels = 2 * pixels, subject.cost.face_texels = 6 * 64 * 64;
+        subject.cost.is_near = is_near;
         subject.shader = [this](const EstimatorSettings& settings, const LobeChoice& lobes) {
             return MaterialShader(with_lobes(material, lobes), *light, settings);
         };
@@ -49,6 +50,7 @@ protected:
     }
 
     size_t pixels = 200'000;
+    bool is_near = false;
     AovFrame frame;
     Assignment assignment;
     std::optional<Environment> light;
@@ -88,6 +90,19 @@ TEST_F(Plans, LeaveOutLobesThatNobodySees) {
     EXPECT_EQ(plan({40, 0, 0}).plans()[0].lobes, LobeChoice{1});
     material.lobes[0].strength = 0.3f;
     EXPECT_EQ(plan({40, 0, 0}).plans()[0].lobes, (LobeChoice{0, 1}));
+}
+
+/// A billion pixels pay any maps.
+TEST_F(Plans, TakeMapsWhereTheyCanBeAndAreCloseEnough) {
+    pixels = 1'000'000'000;
+    material.lobes = {scenes::lobe_of(ModelId::ggx, 0.4f, 0.4f)};
+    const auto kind = [&](float psnr) { return plan({psnr, 0, 0}).plans()[0].estimator.kind; };
+    EXPECT_EQ(kind(20), EstimatorKind::factored);
+    EXPECT_NE(kind(48), EstimatorKind::factored);
+    is_near = true;
+    EXPECT_NE(kind(20), EstimatorKind::factored);
+    is_near = false, material.lobes[0].my = 0.1f;
+    EXPECT_NE(kind(20), EstimatorKind::factored);
 }
 
 TEST_F(Plans, AreCorrectedWhereTheFrameMisses) {

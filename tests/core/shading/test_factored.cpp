@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace burnish;
 using scenes::lobe_of;
 
@@ -118,6 +120,26 @@ TEST(Factored, TakesTintAndWeightOfTheWholeMaterialFromLayers) {
     EXPECT_EQ(shaded.overlay[0], plain.overlay[0] * Color3f(1, 0.5f, 0) * 0.5f);
     by(rough(), light, maps).shade(batch, shaded);
     EXPECT_EQ(shaded.overlay[0], plain.overlay[0]);
+}
+
+TEST(Factored, IsBlackWithoutLightAndFollowsItsScale) {
+    const Image dark = scenes::constant_light(0);
+    const Sphere sphere;
+    const PixelVector<float> black =
+        sphere.shade(MaterialShader(rough(), Environment::from_image(dark, {}, "dark"), by_maps()));
+    EXPECT_TRUE(std::ranges::all_of(black, [](float value) { return value == 0; }));
+    const auto shade = [&](float scale) {
+        Image picture = scenes::stress_light(7, 64);
+        for (float& value : picture.data) value *= scale;
+        const Environment light = Environment::from_image(picture, {}, "scaled");
+        return sphere.shade(MaterialShader(rough(), light, by_maps("nr")));
+    };
+    const PixelVector<float> known = shade(1);
+    for (const float scale : {1e-20f, 1e20f}) {
+        PixelVector<float> scaled = shade(scale);
+        for (float& value : scaled) value /= scale;
+        EXPECT_GT(psnr_db(scaled, known), 60) << scale;
+    }
 }
 
 TEST(Factored, RefusesWhatMapsCannotHold) {
