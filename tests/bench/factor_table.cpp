@@ -6,6 +6,7 @@
 #include <burnish/factor/decompose.h>
 #include <burnish/factor/factor_error.h>
 #include <burnish/factor/factorise.h>
+#include <burnish/factor/prescale_search.h>
 #include <burnish/material/library.h>
 #include <burnish/material/material_brdf.h>
 #include <burnish/material/measured/read_measured.h>
@@ -32,6 +33,12 @@ PairFunction brdf_by_name(const std::string& name) {
     return [brdf = MaterialBrdf(find_material(name))](const DirectionPair& pair) { return brdf(pair.b, pair.a); };
 }
 
+/// In 8 bits; 0 of several terms, which do not fit.
+FactorError eight_bit_error(const Factors& factors, const std::vector<FactorSample>& samples) {
+    if (factors.terms.size() > 1) return {};
+    return factor_error(quantise(factors, best_prescale(factors, {}, samples)), samples, kBias);
+}
+
 struct Table {
     FactoriseSettings settings;
     BrdfSampling sampling;
@@ -41,10 +48,10 @@ struct Table {
         const auto start = std::chrono::steady_clock::now();
         const Factors factors = make();
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        const FactorError error = factor_error(factors, samples, kBias);
-        std::printf("%s,%s,%s,%d,%zu,%.2f,%.4f,%.3f,%.4f,%.3f,%.4f\n", name.c_str(), parametrization.c_str(), method, terms,
-                    samples.size(), seconds.count(), error.average_absolute, error.max_absolute, error.average_relative,
-                    error.max_relative, error.rms);
+        const FactorError error = factor_error(factors, samples, kBias), rounded = eight_bit_error(factors, samples);
+        std::printf("%s,%s,%s,%d,%zu,%.2f,%.4f,%.3f,%.4f,%.3f,%.4f,%.4f,%.4f\n", name.c_str(), parametrization.c_str(), method,
+                    terms, samples.size(), seconds.count(), error.average_absolute, error.max_absolute, error.average_relative,
+                    error.max_relative, error.rms, rounded.average_relative, rounded.rms);
         std::fflush(stdout);
     }
 
@@ -89,7 +96,7 @@ int main(int argc, char** argv) {
     app.add_option("--tolerance", table.settings.tolerance);
     app.add_option("--measure", table.settings.measure, "0 relative, 1 display, 2 absolute");
     CLI11_PARSE(app, argc, argv);
-    std::printf("brdf,by,method,terms,samples,seconds,avg abs,max abs,avg rel,max rel,rms\n");
+    std::printf("brdf,by,method,terms,samples,seconds,avg abs,max abs,avg rel,max rel,rms,avg rel in 8 bits,rms in 8 bits\n");
     for (const std::string& parametrization_name : by) {
         const Parametrization& parametrization = parametrization_by_name(parametrization_name);
         for (const std::string& name : names) {

@@ -34,12 +34,13 @@ public:
     const QuantiseSettings& best() const { return m_best; }
 
     void try_weights() {
-        constexpr int kHalfStops = 17;
+        constexpr int kStops = 21;
         for (size_t map = 1; map < m_best.weights.size(); ++map)
-            for (int step = 0; step < kHalfStops; ++step) {
+            for (int step = 0; step < kStops; ++step) {
                 QuantiseSettings settings = m_best;
-                settings.weights[0] /= std::pow(std::exp2(0.5f * step) / settings.weights[map], uses(map));
-                settings.weights[map] = std::exp2(0.5f * step);
+                const float weight = std::ldexp(1.0f, step);
+                settings.weights[0] /= std::pow(weight / settings.weights[map], uses(map));
+                settings.weights[map] = weight;
                 take_if_better(settings);
             }
     }

@@ -120,7 +120,7 @@ TEST(Quantise, KeepsTheGoldOfTheSource) {
     const std::vector<FactorSample> samples = brdf_samples(pqp, gold, {.size = 14});
     constexpr float kBias = 1e-5f;
     FactoriseSettings maps;
-    maps.size = 32;
+    maps.size = 64;
     const Factors factors = factorise(pqp, samples, {}, maps);
     const QuantisedFactors eight_bit = quantise(factors, best_prescale(factors, {}, samples));
     const FactorError is = factor_error(factors, samples, kBias), rounded = factor_error(eight_bit, samples, kBias);
