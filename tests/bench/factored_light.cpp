@@ -36,7 +36,7 @@ struct Row {
 };
 
 constexpr Row kRows[] = {{"nr", 1, true},    {"nr", 1, false},  {"nrv", 1, true}, {"nrv", 1, false}, {"nrhd", 1, true},
-                         {"nrhd", 1, false}, {"nre", 1, false}, {"re", 1, false}, {"re", 2, false},  {"re", 3, false}};
+                         {"nrhd", 1, false}, {"nre", 1, false}, {"re", 1, false}, {"re", 2, false}};
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -100,9 +100,8 @@ double display_db(const Factors& factors, const std::vector<DirectionPair>& pair
     return -10 * std::log10(sum / (3.0 * static_cast<double>(pairs.size())));
 }
 
-/// RMS of the 8-bit form; 0 where there is none.
+/// RMS of the 8-bit form.
 double eight_bit_rms(const Factors& factors, const std::vector<FactorSample>& samples) {
-    if (factors.terms.size() > 1) return 0;
     return factor_error(quantise(factors, best_prescale(factors, {}, samples)), samples).rms;
 }
 

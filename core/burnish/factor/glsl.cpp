@@ -77,8 +77,8 @@ public:
           m_parametrization(*stored.factors.parametrization),
           m_is_lighting(m_parametrization.of == FactoredFunction::lighting) {}
 
-    std::string whole(const std::string& constants, const std::string& sum) const {
-        std::string text = remarks() + samplers() + constants;
+    std::string whole(const std::string& sum) const {
+        std::string text = remarks() + samplers();
         text += "uniform vec3 burnish_gain = " + vec3(&m_stored.gain.x) + ";\n";
         if (m_is_lighting)
             text += "uniform mat3 burnish_world_to_map = " + mat3(m_stored.world_to_map) + ";\n" + reflection_curve();
@@ -162,19 +162,19 @@ std::string glsl_of(const StoredFactors& stored) {
     std::string sum;
     for (size_t term = 0; term < stored.factors.terms.size(); ++term)
         sum += std::string(term == 0 ? "    vec4 sum = " : "    sum += ") + snippet.product(term) + ";\n";
-    return snippet.whole("", sum + "    return max(sum.rgb, 0.0) * burnish_gain;\n");
+    return snippet.whole(sum + "    return max(sum.rgb, 0.0) * burnish_gain;\n");
 }
 
 std::string glsl_of(const StoredFactors& stored, const QuantisedFactors& eight_bit) {
     const Snippet snippet(stored);
-    const std::string constants = "const vec3 burnish_color = " + vec3(&eight_bit.color.x) +
-                                  ";\n"
-                                  "const float burnish_scale = " +
-                                  number(eight_bit.scale) + ", burnish_white = " + number(eight_bit.white) + ";\n";
-    return snippet.whole(constants, "    vec4 product = " + snippet.product(0) +
-                                        ";\n"
-                                        "    vec3 color = min(burnish_color * product.rgb * burnish_scale, 1.0);\n"
-                                        "    return color * product.a * burnish_white * burnish_gain;\n");
+    std::string sum = "    vec3 sum = vec3(0.0);\n    vec4 product;\n";
+    for (size_t term = 0; term < eight_bit.terms.size(); ++term) {
+        const QuantisedTerm& own = eight_bit.terms[term];
+        const Color3f color = own.color * own.scale;
+        sum += "    product = " + snippet.product(term) + ";\n    sum += min(" + vec3(&color.x) +
+               " * product.rgb, 1.0) * product.a * " + number(own.white) + ";\n";
+    }
+    return snippet.whole(sum + "    return sum * burnish_gain;\n");
 }
 
 }  // namespace burnish

@@ -72,17 +72,12 @@ private:
     double m_least = 0;
 };
 
-}  // namespace
-
-QuantiseSettings best_prescale(const Factors& factors, const QuantiseSettings& settings,
-                               std::span<const FactorSample> samples) {
-    if (samples.empty())
-        throw Error(ErrorCode::bad_argument,
-                    "8-bit maps: there are no samples to choose prescale weights by; give the weights");
+/// Of one term alone.
+QuantiseSettings best_of_term(const Factors& term, const QuantiseSettings& settings, std::vector<FactorSample> samples) {
     const bool open_weights = settings.weights.empty(), open_scale = settings.white == 0;
     QuantiseSettings start = settings;
-    if (open_weights) start.weights.assign(factors.terms[0].size() + 1, 1.0f);
-    Search search(factors, start, some_of(samples));
+    if (open_weights) start.weights.assign(term.terms[0].size() + 1, 1.0f);
+    Search search(term, start, std::move(samples));
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds; ++round) {
         const double before = search.least();
@@ -91,6 +86,25 @@ QuantiseSettings best_prescale(const Factors& factors, const QuantiseSettings& s
         if (search.least() == before) break;
     }
     return search.best();
+}
+
+}  // namespace
+
+std::vector<QuantiseSettings> best_prescale(const Factors& factors, const QuantiseSettings& settings,
+                                            std::span<const FactorSample> samples) {
+    if (samples.empty())
+        throw Error(ErrorCode::bad_argument,
+                    "8-bit maps: there are no samples to choose prescale weights by; give the weights");
+    const std::vector<FactorSample> some = some_of(samples);
+    std::vector<QuantiseSettings> found;
+    for (size_t term = 0; term < factors.terms.size(); ++term) {
+        const Factors own = one_term(factors, term);
+        std::vector<FactorSample> shares = some;
+        if (factors.terms.size() > 1)
+            for (FactorSample& sample : shares) sample.value = own(sample.pair);
+        found.push_back(best_of_term(own, settings, std::move(shares)));
+    }
+    return found;
 }
 
 }  // namespace burnish

@@ -7,9 +7,10 @@
 
 namespace burnish {
 
-/// Chooses the weights, where `settings` have none, and z, where they have no white: those of the least product of average relative and
-/// RMS error against the samples, so that neither dark nor bright is given up for little. The rest stays as it is. Throws
-/// Error(bad_argument) without samples, and as `quantise`.
-QuantiseSettings best_prescale(const Factors& factors, const QuantiseSettings& settings, std::span<const FactorSample> samples);
+/// Of each term: chooses the weights, where `settings` have none, and z, where they have no white: those of the least product of average
+/// relative and RMS error against the samples, of several terms against the term's own share of them, so that neither dark nor bright
+/// is given up for little. The rest stays as it is. Throws Error(bad_argument) without samples, and as `quantise`.
+std::vector<QuantiseSettings> best_prescale(const Factors& factors, const QuantiseSettings& settings,
+                                            std::span<const FactorSample> samples);
 
 }  // namespace burnish

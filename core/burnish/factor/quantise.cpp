@@ -30,10 +30,18 @@ Color3f peak_of(const FactorMap& map) {
 }
 
 /// What all maps make together where they are largest.
-Color3f peak_of(const Factors& factors) {
+Color3f peak_of(const Parametrization& parametrization, const FactorTerm& term) {
     Color3f product(1, 1, 1);
-    for (const Factor& factor : factors.parametrization->factors) product *= peak_of(factors.terms[0][factor.map]);
+    for (const Factor& factor : parametrization.factors) product *= peak_of(term[factor.map]);
     return product;
+}
+
+/// The share of a map's texels, as they count, that is below zero.
+double share_below_zero(const FactorMap& map) {
+    double below = 0, all = 0;
+    for (const Color3f& texel : map.texels)
+        for (int c = 0; c < 3; ++c) below += std::max(-texel[c], 0.0f), all += std::fabs(texel[c]);
+    return all > 0 ? below / all : 0;
 }
 
 /// Colour and alpha whose product is `value`, the colour at most 1 / `lift`.
@@ -58,14 +66,20 @@ QuantisedMap quantised_map(const FactorMap& map, float prescale, float lift, boo
     return result;
 }
 
-void check(const Factors& factors, const QuantiseSettings& settings) {
-    const auto refuse = [](const std::string& why) { throw Error(ErrorCode::bad_argument, "8-bit maps: " + why); };
-    if (factors.terms.size() != 1)
-        refuse("there are " + std::to_string(factors.terms.size()) +
-               " terms, and the maps of those after the first have texels below zero; write EXR, or make one term");
-    const size_t expected = factors.terms[0].size() + 1;
-    if (!settings.weights.empty() && settings.weights.size() != expected)
-        refuse("expected " + std::to_string(expected) + " prescale weights, of the colour and of each map, found " +
+[[noreturn]] void refuse(const std::string& why) { throw Error(ErrorCode::bad_argument, "8-bit maps: " + why); }
+
+void check(const Factors& factors) {
+    constexpr double kMostBelow = 0.05;  // of a map: cutting off more would show
+    for (const FactorTerm& term : factors.terms)
+        for (const FactorMap& map : term)
+            if (share_below_zero(map) > kMostBelow)
+                refuse("the maps of several terms of parametrisation " + factors.parametrization->name +
+                       " live by texels below zero; write EXR, make one term, or take parametrisation re");
+}
+
+void check(const QuantiseSettings& settings, size_t maps) {
+    if (!settings.weights.empty() && settings.weights.size() != maps + 1)
+        refuse("expected " + std::to_string(maps + 1) + " prescale weights, of the colour and of each map, found " +
                std::to_string(settings.weights.size()));
     for (const float weight : settings.weights)
         if (!(weight >= 1e-15f && weight <= 1e15f))
@@ -76,39 +90,56 @@ void check(const Factors& factors, const QuantiseSettings& settings) {
         refuse("expected a scale of 1, 2, 4, 8 or 16, found " + std::to_string(settings.scale));
 }
 
-}  // namespace
-
-Color3f QuantisedFactors::operator()(const DirectionPair& pair) const {
-    float product[4] = {color.x * scale, color.y * scale, color.z * scale, white};
-    for (const Factor& factor : parametrization->factors) {
-        const QuantisedMap& map = maps[factor.map];
-        const BlendedTexels blend = map.layout.lookup(factor.direction->project(pair, guide));
-        for (int c = 0; c < 4; ++c) {
-            float sum = 0;
-            for (size_t i = 0; i < blend.texel.size(); ++i) sum += blend.weight[i] * map.texels[blend.texel[i]][c];
-            product[c] *= sum / 255;
-        }
-    }
-    return clamped(Color3f(product[0], product[1], product[2])) * product[3];
-}
-
-QuantisedFactors quantise(const Factors& factors, const QuantiseSettings& settings) {
-    check(factors, settings);
-    const Parametrization& parametrization = *factors.parametrization;
-    const std::vector<float> ones(factors.terms[0].size() + 1, 1.0f);
-    QuantisedFactors result;
-    result.parametrization = &parametrization, result.guide = factors.guide;
+QuantisedTerm quantised_term(const Parametrization& parametrization, const FactorTerm& term, const QuantiseSettings& settings) {
+    check(settings, term.size());
+    const std::vector<float> ones(term.size() + 1, 1.0f);
+    QuantisedTerm result;
     result.prescale = prescale_of_weights(parametrization, settings.weights.empty() ? ones : settings.weights);
-    const Color3f whole = peak_of(factors) * result.prescale[0];
+    const Color3f whole = peak_of(parametrization, term) * result.prescale[0];
     result.white = settings.white > 0 ? settings.white : largest(whole) / settings.scale;
     const Color3f color = whole / result.white;
     constexpr float kRounding = 1e-5f;
     while (result.scale < largest(color) * (1 - kRounding) && result.scale < kMostScale) result.scale *= 2;
     result.color = clamped(color / result.scale);
     const float lift = std::max(largest(color), 1.0f);
-    for (size_t map = 0; map < factors.terms[0].size(); ++map)
-        result.maps.push_back(quantised_map(factors.terms[0][map], result.prescale[map + 1], lift, settings.alpha));
+    for (size_t map = 0; map < term.size(); ++map)
+        result.maps.push_back(quantised_map(term[map], result.prescale[map + 1], lift, settings.alpha));
     return result;
+}
+
+}  // namespace
+
+Color3f QuantisedFactors::operator()(const DirectionPair& pair) const {
+    Color3f all(0, 0, 0);
+    for (const QuantisedTerm& term : terms) {
+        float product[4] = {term.color.x * term.scale, term.color.y * term.scale, term.color.z * term.scale, term.white};
+        for (const Factor& factor : parametrization->factors) {
+            const QuantisedMap& map = term.maps[factor.map];
+            const BlendedTexels blend = map.layout.lookup(factor.direction->project(pair, guide));
+            for (int c = 0; c < 4; ++c) {
+                float sum = 0;
+                for (size_t i = 0; i < blend.texel.size(); ++i) sum += blend.weight[i] * map.texels[blend.texel[i]][c];
+                product[c] *= sum / 255;
+            }
+        }
+        all += clamped(Color3f(product[0], product[1], product[2])) * product[3];
+    }
+    return all;
+}
+
+QuantisedFactors quantise(const Factors& factors, std::span<const QuantiseSettings> settings) {
+    check(factors);
+    QuantisedFactors result;
+    result.parametrization = factors.parametrization, result.guide = factors.guide;
+    for (size_t term = 0; term < factors.terms.size(); ++term)
+        result.terms.push_back(quantised_term(*factors.parametrization, factors.terms[term], settings[term % settings.size()]));
+    return result;
+}
+
+Factors one_term(const Factors& factors, size_t term) {
+    Factors one = factors;
+    one.terms = {factors.terms[term]};
+    return one;
 }
 
 std::vector<float> prescale_of_weights(const Parametrization& parametrization, const std::vector<float>& weights) {

@@ -86,9 +86,6 @@ void check(const FactorJob& job, const std::string& where) {
     if (job.material.empty()) refuse("no material: name a preset, a file or a measured table");
     if (job.scene.estimator.kind == EstimatorKind::factored)
         refuse("estimator factored shades from maps; take another one to make them from");
-    if (!job.png.empty() && job.maps.terms > 1)
-        refuse(
-            "terms after the first have texels below zero, which 8-bit pictures cannot hold; leave out png, or take one term");
 }
 
 }  // namespace

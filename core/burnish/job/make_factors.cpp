@@ -109,8 +109,8 @@ private:
         if (m_light)
             m_report.display_psnr_db = lighting_psnr_db(m_report.stored, m_material, *m_light, kPairs, part(0.8f, 0.95f));
         if (m_job.png.empty()) return;
-        const QuantiseSettings settings = best_prescale(m_report.stored.factors, m_job.eight_bit, m_samples);
-        m_report.pictures = quantise(m_report.stored.factors, settings);
+        m_report.pictures =
+            quantise(m_report.stored.factors, best_prescale(m_report.stored.factors, m_job.eight_bit, m_samples));
         m_report.picture_error = factor_error(*m_report.pictures, m_samples, m_job.maps.bias);
     }
 

@@ -54,23 +54,28 @@ void write_factors(const std::string& file, const StoredFactors& stored) {
 }
 
 nlohmann::json eight_bit_to_json(const QuantisedFactors& eight_bit) {
-    nlohmann::json prescale = nlohmann::json::array();
-    for (const float s : eight_bit.prescale) prescale.push_back(to_json_number(s));
-    return {{"formula", "white * min(color * product of rgb * scale, 1) * product of alpha"},
-            {"white", to_json_number(eight_bit.white)},
-            {"color", to_json_color(eight_bit.color)},
-            {"scale", to_json_number(eight_bit.scale)},
-            {"prescale", prescale}};
+    nlohmann::json terms = nlohmann::json::array();
+    for (const QuantisedTerm& term : eight_bit.terms) {
+        nlohmann::json prescale = nlohmann::json::array();
+        for (const float s : term.prescale) prescale.push_back(to_json_number(s));
+        terms.push_back({{"white", to_json_number(term.white)},
+                         {"color", to_json_color(term.color)},
+                         {"scale", to_json_number(term.scale)},
+                         {"prescale", prescale}});
+    }
+    return {{"formula", "sum over terms of white * min(color * product of rgb * scale, 1) * product of alpha"},
+            {"terms", terms}};
 }
 
 std::vector<std::string> write_quantised(const std::string& folder, const std::string& name, const StoredFactors& stored,
                                          const QuantisedFactors& eight_bit) {
     const std::string stem = (std::filesystem::path(folder) / name).string();
     std::vector<std::string> files;
-    for (size_t map = 0; map < eight_bit.maps.size(); ++map) {
-        files.push_back(stem + '_' + map_name(*eight_bit.parametrization, static_cast<int>(map)) + ".png");
-        write_code_values(files.back(), picture_of(eight_bit.maps[map]));
-    }
+    for (size_t term = 0; term < eight_bit.terms.size(); ++term)
+        for (size_t map = 0; map < eight_bit.terms[term].maps.size(); ++map) {
+            files.push_back(stem + '_' + map_name(*eight_bit.parametrization, static_cast<int>(map), term) + ".png");
+            write_code_values(files.back(), picture_of(eight_bit.terms[term].maps[map]));
+        }
     nlohmann::json beside = factors_to_json(stored);
     beside["eight_bit"] = eight_bit_to_json(eight_bit);
     files.push_back(stem + ".json");

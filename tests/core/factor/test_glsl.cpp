@@ -52,9 +52,9 @@ TEST(Glsl, Compiles) {
             for (const size_t terms : {1, 3}) {
                 const StoredFactors stored = uniform_stored(parametrization, sphere, terms);
                 shaders.add(name + "_" + std::to_string(terms), stored, glsl_of(stored));
+                const QuantisedFactors eight_bit = quantise(stored.factors, QuantiseSettings());
+                shaders.add(name + "_8_bit_" + std::to_string(terms), stored, glsl_of(stored, eight_bit));
             }
-            const StoredFactors stored = uniform_stored(parametrization, sphere, 1);
-            shaders.add(name + "_8_bit", stored, glsl_of(stored, quantise(stored.factors, {})));
         }
     StoredFactors hemispherical = uniform_stored(parametrization_by_name("hd"), Mapping::cube, 1);
     const DirectionMap disc(Mapping::hemispherical, 8);

@@ -43,7 +43,7 @@ std::vector<FactorSample> samples_of(const Factors& factors, int count) {
 TEST(Quantise, KeepsEvenMapsWithinAStep) {
     for (const Parametrization& parametrization : parametrizations()) {
         const Factors factors = uniform_factors(parametrization, Mapping::cube, 8, Color3f(1.5f, 0.7f, 0.2f));
-        const QuantisedFactors eight_bit = quantise(factors, {});
+        const QuantisedFactors eight_bit = quantise(factors, QuantiseSettings());
         for (int i = 0; i < 50; ++i)
             for (int c = 0; c < 3; ++c) {
                 const float value = factors(pair_of(i))[c];
@@ -72,7 +72,7 @@ TEST(Quantise, ColoursAreClampedAtWhite) {
     QuantiseSettings settings;
     settings.white = 2;
     const QuantisedFactors eight_bit = quantise(factors, settings);  // 4, 1, 0.25 are wanted
-    EXPECT_EQ(eight_bit.scale, 2);
+    EXPECT_EQ(eight_bit.terms[0].scale, 2);
     EXPECT_NEAR(eight_bit(pair_of(1)).x, 2, 0.02f);
     EXPECT_NEAR(eight_bit(pair_of(1)).y, 1, 0.02f);
     EXPECT_NEAR(eight_bit(pair_of(1)).z, 0.25f, 0.02f);
@@ -84,9 +84,9 @@ TEST(Quantise, AlphaKeepsWhatIsDark) {
     QuantiseSettings opaque;
     opaque.alpha = false;
     const QuantisedFactors without = quantise(factors, opaque);
-    for (const QuantisedMap& map : without.maps)
+    for (const QuantisedMap& map : without.terms[0].maps)
         EXPECT_TRUE(std::ranges::all_of(map.texels, [](const auto& texel) { return texel[3] == 255; }));
-    const double with_alpha = factor_error(quantise(factors, {}), samples).average_relative;
+    const double with_alpha = factor_error(quantise(factors, QuantiseSettings()), samples).average_relative;
     EXPECT_LT(with_alpha, 0.02);
     EXPECT_LT(8 * with_alpha, factor_error(without, samples).average_relative);
 }
@@ -99,16 +99,27 @@ TEST(Quantise, SearchesAPrescaleThatPays) {
     const std::vector<FactorSample> samples = samples_of(factors, 4000);
     QuantiseSettings opaque;
     opaque.alpha = false;
-    const QuantiseSettings found = best_prescale(factors, opaque, samples);
+    const QuantiseSettings found = best_prescale(factors, opaque, samples)[0];
     const FactorError prescaled = factor_error(quantise(factors, found), samples);
     EXPECT_LT(8 * prescaled.average_relative, factor_error(quantise(factors, opaque), samples).average_relative);
     EXPECT_LT(prescaled.average_relative, 0.02);
 }
 
+TEST(Quantise, AddsTermsUp) {
+    Factors factors = peaked_factors();
+    factors.terms.push_back(uniform_factors(*factors.parametrization, Mapping::cube, 32, Color3f(0.3f, 0.2f, 0.7f)).terms[0]);
+    factors.terms[1][0].texels[5] = Color3f(-0.01f);  // one that is cut off
+    const std::vector<FactorSample> samples = samples_of(factors, 2000);
+    const QuantisedFactors eight_bit = quantise(factors, best_prescale(factors, {}, samples));
+    ASSERT_EQ(eight_bit.terms.size(), 2u);
+    EXPECT_NE(eight_bit.terms[0].white, eight_bit.terms[1].white);
+    EXPECT_LT(factor_error(eight_bit, samples).average_relative, 0.02);
+}
+
 TEST(Quantise, SearchesNothingThatIsGiven) {
     const Factors factors = peaked_factors();
     const QuantiseSettings given{{1, 1, 1}, 3};
-    const QuantiseSettings found = best_prescale(factors, given, samples_of(factors, 100));
+    const QuantiseSettings found = best_prescale(factors, given, samples_of(factors, 100))[0];
     EXPECT_EQ(found.weights, given.weights);
     EXPECT_EQ(found.white, 3);
 }
@@ -136,7 +147,8 @@ TEST(Quantise, RefusesWhatCannotBe) {
          {QuantiseSettings{{1, 1}}, QuantiseSettings{{1, 0, 1}}, QuantiseSettings{{}, -1}, QuantiseSettings{{}, 0, 3}})
         EXPECT_THROW(quantise(factors, bad), Error);
     factors.terms.push_back(factors.terms[0]);
-    EXPECT_THROW(quantise(factors, {}), Error);
+    for (Color3f& texel : factors.terms[1][0].texels) texel *= -0.5f;
+    EXPECT_THROW(quantise(factors, QuantiseSettings()), Error);
 }
 
 }  // namespace
