@@ -41,20 +41,26 @@ public:
 private:
     static constexpr float kRound = 0.02f;  // relative errors below count by their squares
 
-    /// On the display's curve, which goes on beyond white: only what should be white and is does not differ.
     Value displayed(const ColorRow& is, const ColorRow& should_be) const {
         Value value{ColorRow::Zero(), ColorRow::Zero()};
         for (int channel = 0; channel < 3; ++channel) {
-            const float a = is[channel] / m_white, b = should_be[channel] / m_white;
-            if (a >= 1 && b >= 1) continue;
-            value.residual[channel] = encoded(a) - encoded(std::min(b, 1.0f));
-            value.slope[channel] = slope(a) / m_white;
+            const float shown = is[channel] / m_white;
+            value.residual[channel] = encoded(shown) - encoded(should_be[channel] / m_white);
+            value.slope[channel] = slope(shown) / m_white;
         }
         return value;
     }
 
-    static float encoded(float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; }
-    static float slope(float x) { return x <= 0.0031308f ? 12.92f : 1.055f / 2.4f * std::pow(x, 1 / 2.4f - 1); }
+    /// The display's curve, straight below black. Beyond white it goes on as a flat logarithm, so that what is white stays bounded.
+    static float encoded(float x) {
+        if (x <= 0.0031308f) return 12.92f * x;
+        return x < 1 ? 1.055f * std::pow(x, 1 / 2.4f) - 0.055f : 1 + kBeyondWhite * std::log(x);
+    }
+    static float slope(float x) {
+        if (x <= 0.0031308f) return 12.92f;
+        return x < 1 ? 1.055f / 2.4f * std::pow(x, 1 / 2.4f - 1) : kBeyondWhite / x;
+    }
+    static constexpr float kBeyondWhite = 0.05f;
 
     FactorMeasure m_measure;
     ColorRow m_floor;

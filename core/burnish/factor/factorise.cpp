@@ -35,17 +35,30 @@ float wave(const Vec3f& d, int order) {
     return std::cos(kPi * static_cast<float>(order) * 0.5f * (1 + d.dot(Vec3f(0.48f, 0.6f, 0.64f))));
 }
 
-/// Appends a term that is 0, as its first map is, and whose other maps go up and down, for each new term once more: so that any residual
-/// tells on it.
-Colors with_new_term(const FactorTerm& term, const Colors& x, int terms) {
+/// The largest of the maps that are read once a sample: the fit begins with it.
+int leading_map(const Factors& factors) {
+    const FactorTerm& term = factors.terms[0];
+    int leading = -1;
+    for (int map = 0; map < static_cast<int>(term.size()); ++map)
+        if (factors.parametrization->uses(map) == 1 &&
+            (leading < 0 || term[map].layout.texels() > term[leading].layout.texels()))
+            leading = map;
+    return leading;
+}
+
+/// Appends a term that is 0, as its leading map is, and whose other maps go up and down, for each new term once more: so that any
+/// residual tells on it.
+Colors with_new_term(const Factors& factors, const Colors& x) {
+    const FactorTerm& term = factors.terms[0];
+    const int leading = leading_map(factors), order = static_cast<int>(factors.terms.size()) - 1;
     int count = 0;
     for (const FactorMap& map : term) count += map.layout.texels();
     Colors grown = Colors::Zero(x.rows() + count, 4);
     grown.topRows(x.rows()) = x;
-    Eigen::Index row = x.rows() + term[0].layout.texels();
-    for (const FactorMap& map : std::span(term).subspan(1))
-        for (int texel = 0; texel < map.layout.texels(); ++texel)
-            grown.row(row++).setConstant(wave(map.layout.direction(texel), terms - 1));
+    Eigen::Index row = x.rows();
+    for (int map = 0; map < static_cast<int>(term.size()); ++map)
+        for (int texel = 0; texel < term[map].layout.texels(); ++texel, ++row)
+            if (map != leading) grown.row(row).setConstant(wave(term[map].layout.direction(texel), order));
     return grown;
 }
 
@@ -70,7 +83,7 @@ Factors factorise(const Parametrization& parametrization, std::span<const Factor
     for (int terms = 2; terms <= all_terms; ++terms) {
         const float done = share * static_cast<float>(terms);
         level = FactorLevel(parametrization, samples, guide, settings, terms);
-        x = polished(level, with_new_term(level.factors.terms[0], x, terms), settings, part_of(progress, done - share, done));
+        x = polished(level, with_new_term(level.factors, x), settings, part_of(progress, done - share, done));
         level.set_texels(x);
     }
     tell_by_views(level.factors);

@@ -98,14 +98,15 @@ Colors Polish::taken(const Colors& x, const Colors& change, const Colors& weight
 Colors Polish::operator()(Colors x, const Progress& progress) const {
     constexpr SolveLimits kLimits = {30, 1e-2f};
     constexpr double kSettled = 1e-3;
-    for (int step = 0; step < steps; ++step) {
-        progress.report("factor", static_cast<float>(step) / static_cast<float>(steps));
+    constexpr int kLeast = 5, kMost = 12;  // steps; new terms start slowly
+    for (int step = 0; step < kMost; ++step) {
+        progress.report("factor", static_cast<float>(step) / kMost);
         const BlendSystem system = linearised(x);
         const Colors weight = smoothness_weight(lookups, sample_diagonal(system));
         const Sums before = error(x, weight);
         Sums after = before;
         x = taken(x, solve(system, x, kLimits) - x, weight, after);
-        if ((after >= before * (1 - kSettled)).all()) break;
+        if (step + 1 >= kLeast && (after >= before * (1 - kSettled)).all()) break;
     }
     return x;
 }

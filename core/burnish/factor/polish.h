@@ -15,7 +15,6 @@ struct Polish {
     const TexelUnknowns& unknowns;
     const Eigen::SparseMatrix<float, Eigen::RowMajor>& R;
     MeasuredResidual measure;
-    int steps = 8;
 
     /// The unknowns from x on; the error with what smoothness takes never rises.
     Colors operator()(Colors x, const Progress& progress) const;
