@@ -5,6 +5,7 @@
 // x: all texels; d: a scale of each, and of the lookups c: both come from linearising; W: see `smoothness_weight`. Solved by conjugate gradients on the normal
 // equations, of which no matrix is built: one pass over the samples both looks up and adds to texels. Chunks of samples add to sums of
 // their own, so that results are the same bits for any thread count.
+// Internal.
 #pragma once
 
 #include <burnish/factor/sample_lookups.h>

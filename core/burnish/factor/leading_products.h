@@ -1,4 +1,5 @@
 // A matrix with holes as a sum of a few products u v^T.
+// Internal.
 #pragma once
 
 #include <Eigen/Core>

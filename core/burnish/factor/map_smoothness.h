@@ -1,5 +1,6 @@
 // What holds maps together where samples do not: every texel near the mean of its neighbours (the Laplacian of Factor 36, 37), and what
 // lies beyond the rim of one of two discs equal to what it repeats of the other.
+// Internal.
 #pragma once
 
 #include <burnish/factor/sample_lookups.h>

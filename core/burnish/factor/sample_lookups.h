@@ -1,5 +1,6 @@
 // The rows of a factorisation: which texels every sample's product of lookups reads. All texels of all maps of all terms are unknowns,
 // one after the other; a row blends four of them for each factor of each term.
+// Internal.
 #pragma once
 
 #include <burnish/factor/factors.h>

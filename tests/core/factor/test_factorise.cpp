@@ -161,7 +161,7 @@ TEST(Factorise, RefusesWhatItCannotFactor) {
     for (const FactorSample& bad : {endless, negative, weighed})
         EXPECT_THROW(factorise(io, std::vector{good, bad}, FactorGuide()), Error);
     FactoriseSettings settings;
-    settings.terms = 0;
+    settings.terms = 9;
     EXPECT_THROW(factorise(io, std::vector{good}, {}, settings), Error);
     settings.terms = 2, settings.polish = false;
     EXPECT_THROW(factorise(io, std::vector{good}, {}, settings), Error);
