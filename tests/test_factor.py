@@ -78,14 +78,14 @@ def test_pictures_of_8_bits_keep_the_error(gold, tmp_path):
     assert report["eight_bit_error"]["average_relative"] < report["error"]["average_relative"] + 0.01
     assert report["eight_bit_error"]["rms"] < 1.2 * report["error"]["rms"]
     assert sorted(path.name for path in (tmp_path / "maps").iterdir()) == [
-        "gold.glsl", "gold.json", "gold_elevation.png", "gold_elevation_2.png", "gold_reflection.png", "gold_reflection_2.png"]
+        "gold.glsl", "gold.json", "gold_elevation.png", "gold_normal.png", "gold_reflection.png"]
     beside = json.loads((tmp_path / "maps" / "gold.json").read_text())
-    assert beside["eight_bit"] == report["eight_bit"] and beside["parametrization"] == "re"
-    picture = oiio.ImageBuf(str(tmp_path / "maps" / "gold_reflection_2.png"))
+    assert beside["eight_bit"] == report["eight_bit"] and beside["parametrization"] == "nre"
+    picture = oiio.ImageBuf(str(tmp_path / "maps" / "gold_normal.png"))
     assert picture.spec().nchannels == 4 and str(picture.spec().format) == "uint8"
-    opaque = burnish.factor(GOLD, SKY, quality="preview", png=tmp_path / "opaque", alpha=False, prescale=[1, 1, 1])
+    opaque = burnish.factor(GOLD, SKY, quality="preview", png=tmp_path / "opaque", alpha=False, prescale=[1, 1, 1, 1])
     assert report["eight_bit_error"]["average_relative"] < opaque["eight_bit_error"]["average_relative"]
-    assert [term["prescale"] for term in opaque["eight_bit"]["terms"]] == [[1, 1, 1], [1, 1, 1]]
+    assert [term["prescale"] for term in opaque["eight_bit"]["terms"]] == [[1, 1, 1, 1]]
 
 
 @pytest.fixture(scope="module")

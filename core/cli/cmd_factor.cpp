@@ -96,7 +96,7 @@ void add_outputs(FieldOptions& fields, CLI::App& command, json& values) {
 void add_maps(FieldOptions& fields, CLI::App& command, json& values) {
     constexpr std::string_view kSpheres[] = {"double_parabolic", "cube"};
     fields
-        .add<std::string>("--parametrization", "parametrization", "what the maps are looked up by [re, of BRDFs pqp]", "NAME")
+        .add<std::string>("--parametrization", "parametrization", "what the maps are looked up by [nre, of BRDFs pqp]", "NAME")
         ->check(CLI::IsMember(parametrization_names()));
     fields.add_choice("method", kFactorMethods, "svd and normalised: of BRDFs over two maps, io and hd [homomorphic]");
     fields.add_choice("quality", kFactorQualities, "texels and samples [normal]");
@@ -104,7 +104,7 @@ void add_maps(FieldOptions& fields, CLI::App& command, json& values) {
     fields.add<int>("--size", "size", "along a disc or face [preview 16, normal 32, high 64]", "TEXELS");
     fields.add<int>("--grid", "grid", "along the discs that directions of samples are taken from [10, 20, 26]", "TEXELS");
     fields.add<int>("--terms", "terms", "products that are summed, 0: by the parametrisation [0]", "0..4");
-    fields.add_choice("measure", kFactorMeasures, "which error is made least [relative]");
+    fields.add_choice("measure", kFactorMeasures, "which error is made least [display, of BRDFs relative]");
     fields.add_choice("weight", kViewWeights,
                       "lighting: pairs of normal and view count the same, or as they are seen [projected]");
     fields.add<float>("--smoothness", "smoothness", "of the maps, where samples leave them open [0.02, of measured files 1]",

@@ -36,7 +36,7 @@ def factor(
     output : str or os.PathLike, optional
         EXR to write.
     parametrization : str, optional
-        What the maps are looked up by: "re", "nr", "nre", "nrv", "nrhd"; of BRDFs "io", "hd", "pqp". By default "re", and "pqp".
+        What the maps are looked up by: "re", "nr", "nre", "nrv", "nrhd"; of BRDFs "io", "hd", "pqp". By default "nre", and "pqp".
     quality : str, optional
         "preview", "normal" or "high": texels and samples.
     progress : callable, optional

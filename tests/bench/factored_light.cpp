@@ -3,19 +3,16 @@
 //     burnish_factored_light lebombo_1k.hdr st_fagans_interior_1k.hdr rooitou_park_1k.hdr --material gold.json
 //
 // Errors as the source measures them: of all pairs that the maps were made from, channel by channel. `dB` is of other pairs, drawn as
-// they are seen, against `reference`. The source's light was a picture of 8 bits whose highlights had been made ten times as bright;
-// rows of the range "source" have pictures brought to that. Its reflection is a mirror's: rows of the direction "mirror".
+// they are seen, against `reference`. The source's reflection is a mirror's: rows "mirror".
 #include <burnish/base/display.h>
 #include <burnish/factor/factor_error.h>
 #include <burnish/factor/factorise.h>
 #include <burnish/factor/prescale_search.h>
 #include <burnish/material/library.h>
 #include <burnish/plan/check_sample.h>
-#include <burnish/sampling/sequence.h>
 #include <burnish/shading/lighting_samples.h>
 #include <burnish/shading/material_shader.h>
 
-#include <OpenImageIO/imagebuf.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -23,7 +20,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 using namespace burnish;
 
@@ -40,36 +36,9 @@ constexpr Row kRows[] = {{"nr", 1, true},    {"nr", 1, false},  {"nrv", 1, true}
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Image light_picture(const std::string& file) {
-    OIIO::ImageBuf buffer(file);
-    Image picture(buffer.spec().width, buffer.spec().height, 3);
-    if (!buffer.get_pixels(OIIO::ROI(0, picture.width, 0, picture.height, 0, 1, 0, 3), OIIO::TypeDesc::FLOAT,
-                           picture.data.data()))
-        throw std::runtime_error(file + ": " + buffer.geterror());
-    return picture;
-}
-
-/// As an 8-bit picture has it, 2 % of its channels white; what is above nine tenths times ten.
-void bring_to_source_range(Image& picture) {
-    std::vector<float> sorted(picture.data.begin(), picture.data.end());
-    const auto white = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 0.98);
-    std::ranges::nth_element(sorted, white);
-    for (float& value : picture.data) {
-        value = std::round(std::clamp(value / *white, 0.0f, 1.0f) * 255) / 255;
-        if (value > 0.9f) value *= 10;
-    }
-}
-
-/// Pairs drawn evenly over the sphere of views and the projected hemisphere of normals about each; light axes.
-std::vector<DirectionPair> seen_pairs(int count) {
+std::vector<DirectionPair> seen_pairs(uint32_t count) {
     std::vector<DirectionPair> pairs;
-    for (int i = 0; i < count; ++i) {
-        const Vec2f u = owen_sobol(i, 11), v = owen_sobol(i, 12);
-        const float z = 1 - 2 * u.x, s = std::sqrt(std::max(1 - z * z, 0.0f)), phi = 2 * kPi * u.y;
-        const Vec3f wo(s * std::cos(phi), s * std::sin(phi), z);
-        const float c = std::sqrt(std::max(v.x, 1e-4f)), r = std::sqrt(1 - c * c), turn = 2 * kPi * v.y;
-        pairs.push_back({Frame::around(wo).to_world({r * std::cos(turn), r * std::sin(turn), c}), wo});
-    }
+    for (uint32_t i = 0; i < count; ++i) pairs.push_back(seen_pair(i, 11));
     return pairs;
 }
 
@@ -105,7 +74,7 @@ double eight_bit_rms(const Factors& factors, const std::vector<FactorSample>& sa
     return factor_error(quantise(factors, best_prescale(factors, {}, samples)), samples).rms;
 }
 
-void print_rows(const std::string& name, const char* range, const Environment& light, const Material& material, int size) {
+void print_rows(const std::string& name, const Environment& light, const Material& material, int size) {
     LightingSampling even;
     even.weight = ViewWeight::uniform;
     const double begin = seconds_now();
@@ -121,9 +90,9 @@ void print_rows(const std::string& name, const char* range, const Environment& l
         const double start = seconds_now();
         const Factors factors = factorise(parametrization_by_name(row.parametrization), samples, guide, settings);
         const double factoring = seconds_now() - start;
-        const FactorError error = factor_error(factors, samples);
-        std::printf("%s,%s,%s,%d,%s,%d,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f\n", name.c_str(), range, row.parametrization,
-                    row.terms, row.mirror ? "mirror" : "own", size, error.average_relative, error.average_absolute, error.rms,
+        const FactorError error = factor_error(factors, samples, settings.bias);
+        std::printf("%s,%s,%d,%s,%d,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f\n", name.c_str(), row.parametrization, row.terms,
+                    row.mirror ? "mirror" : "own", size, error.average_relative, error.average_absolute, error.rms,
                     eight_bit_rms(factors, samples), display_db(factors, pairs, exact), sampling, factoring);
         std::fflush(stdout);
     }
@@ -142,13 +111,10 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     const Material parsed = material_from_json(nlohmann::json::parse(material), "material", "--material");
     std::printf(
-        "light,range,parametrization,terms,reflection,size,average relative,average absolute,RMS,RMS at 8 bits,dB,"
+        "light,parametrization,terms,reflection,size,average relative,average absolute,RMS,RMS at 8 bits,dB,"
         "seconds of sampling,seconds of factoring\n");
-    for (const std::string& file : lights)
-        for (const char* range : {"as it is", "source"}) {
-            Image picture = light_picture(file);
-            if (std::string(range) == "source") bring_to_source_range(picture);
-            const std::string name = std::filesystem::path(file).stem().string();
-            print_rows(name, range, Environment::from_image(picture, {}, name), parsed, size);
-        }
+    for (const std::string& file : lights) {
+        const std::string name = std::filesystem::path(file).stem().string();
+        print_rows(name, Environment::load(file, {}), parsed, size);
+    }
 }

@@ -74,7 +74,7 @@ void check(const Factors& factors) {
         for (const FactorMap& map : term)
             if (share_below_zero(map) > kMostBelow)
                 refuse("the maps of several terms of parametrisation " + factors.parametrization->name +
-                       " live by texels below zero; write EXR, make one term, or take parametrisation re");
+                       " live by texels below zero; write EXR, make one term, or take parametrisation nre");
 }
 
 void check(const QuantiseSettings& settings, size_t maps) {

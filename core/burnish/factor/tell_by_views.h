@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Changes the basis of two terms of a parametrisation of two maps, one of them of elevation; leaves all others as they are. Up to
-/// rounding, and a channel whose two terms are one, the function is the same.
+/// Changes the basis of two terms of a parametrisation of two maps, one of them of elevation; leaves all others as they are. The function
+/// stays the same to a part in some hundreds, where both views see the same light, else to rounding.
 void tell_by_views(Factors& factors);
 
 }  // namespace burnish

@@ -62,7 +62,6 @@ FactoriseSettings maps_from_json(const JsonFields& fields, const Sizes& sizes, b
     FactoriseSettings maps;
     maps.size = fields.whole_number("size", {DirectionMap::kLeastSize, DirectionMap::kMostSize}, sizes.texels);
     if (fields.has("mapping")) maps.sphere = mapping_by_name(fields.name("mapping", kSpheres));
-    maps.measure = choice(fields, "measure", kFactorMeasures, maps.measure);
     maps.smoothness = fields.number("smoothness", {0, 1000}, sparse ? kSparseSmoothness : maps.smoothness);
     maps.terms = fields.whole_number("terms", {0, 4}, maps.terms);
     maps.polish = fields.boolean("polish", maps.polish);
@@ -102,6 +101,7 @@ FactorJob factor_job_from_json(const json& values, const std::string& where) {
     job.method = choice(fields, "method", kFactorMethods, job.method);
     const Sizes sizes = kSizes[static_cast<size_t>(choice(fields, "quality", kFactorQualities, FactorQuality::normal))];
     job.maps = maps_from_json(fields, sizes, is_sparse(job));
+    if (fields.has("measure")) job.measure = choice(fields, "measure", kFactorMeasures, FactorMeasure::display);
     job.grid = fields.whole_number("grid", {4, 64}, sizes.grid);
     job.weight = choice(fields, "weight", kViewWeights, job.weight);
     job.eight_bit = eight_bit_from_json(fields);

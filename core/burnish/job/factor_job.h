@@ -13,6 +13,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,8 +31,9 @@ struct FactorJob {
     std::string parametrization;  // "" = by what is factored
     FactorMethod method = FactorMethod::homomorphic;
     FactorQuality quality = FactorQuality::normal;
-    FactoriseSettings maps;
-    int grid = 20;  // texels a side of the discs that directions are taken from
+    FactoriseSettings maps;                // but for the measure
+    std::optional<FactorMeasure> measure;  // left out: display under a light, relative of BRDFs
+    int grid = 20;                         // texels a side of the discs that directions are taken from
     ViewWeight weight = ViewWeight::projected;
     QuantiseSettings eight_bit;     // what it leaves open is searched for
     std::string output, png, glsl;  // EXR, folder of 8-bit pictures, shader; "" = none

@@ -2,7 +2,7 @@
 
 #include <burnish/base/parallel.h>
 #include <burnish/output/compare.h>
-#include <burnish/sampling/sequence.h>
+#include <burnish/shading/lighting_samples.h>
 #include <burnish/shading/material_shader.h>
 
 #include <algorithm>
@@ -10,16 +10,6 @@
 
 namespace burnish {
 namespace {
-
-/// The i-th pair, world axes: normals evenly all around, views by their cosine.
-DirectionPair seen_pair(uint32_t i) {
-    constexpr uint32_t kNormals = 11, kViews = 12;  // seeds
-    const Vec2f u = owen_sobol(i, kNormals), v = owen_sobol(i, kViews);
-    const float z = 1 - 2 * u.x, r = std::sqrt(std::max(1 - z * z, 0.0f)), phi = 2 * kPi * u.y;
-    const Vec3f n(r * std::cos(phi), r * std::sin(phi), z);
-    const float s = std::sqrt(v.x), turn = 2 * kPi * v.y;
-    return {n, Frame::around(n).to_world({s * std::cos(turn), s * std::sin(turn), std::sqrt(1 - v.x)})};
-}
 
 EstimatorSettings reference() {
     EstimatorSettings settings;
@@ -33,6 +23,7 @@ EstimatorSettings reference() {
 double lighting_psnr_db(const StoredFactors& stored, const Material& material, const Environment& light, int pairs,
                         const Progress& progress) {
     constexpr int kAtOnce = 8;
+    constexpr uint32_t kSeed = 11;
     const MaterialShader shader(material, light, reference());
     Image is(pairs, 1, 3), should_be(pairs, 1, 3);
     std::mutex reporting;
@@ -41,7 +32,7 @@ double lighting_psnr_db(const StoredFactors& stored, const Material& material, c
         const int begin = block * kAtOnce, end = std::min(begin + kAtOnce, pairs);
         SurfaceBatch batch;
         for (int i = begin; i < end; ++i) {
-            const DirectionPair pair = seen_pair(static_cast<uint32_t>(i));
+            const DirectionPair pair = seen_pair(static_cast<uint32_t>(i), kSeed);
             batch.pixel.push_back(static_cast<uint32_t>(i)), batch.n.push_back(pair.a), batch.wo.push_back(pair.b);
             const Color3f told = stored(pair);
             std::copy_n(&told.x, 3, is.at(i));

@@ -7,7 +7,10 @@
 #include <burnish/material/albedo.h>
 #include <burnish/material/library.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
+#include <filesystem>
 #include <set>
 
 namespace burnish {
@@ -50,10 +53,28 @@ void warn_of_energy(const std::string& name, const Material& material, std::vect
     warnings.push_back("material '" + name + "' creates energy: it reflects " + numbers + "; lower its strength");
 }
 
+/// Maps stay what they were made of: told where that is not what is asked for now.
+void warn_of_other_maps(const std::string& file, const StoredFactors& stored, const Material& material, const Job& job,
+                        std::vector<std::string>& warnings) {
+    const nlohmann::json made_of = nlohmann::json::parse(stored.made_of, nullptr, false);
+    const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename(); };
+    if (made_of.contains("material") && made_of["material"].dump() != material_to_json(material).dump())
+        warnings.push_back(file + ": these maps were made of another '" + material.name +
+                           "'; they stay as they are, or make them anew");
+    if (made_of.contains("environment") && made_of["environment"].is_string() &&
+        name_of(made_of["environment"].get<std::string>()) != name_of(job.environment))
+        warnings.push_back(file + ": these maps were made under '" + made_of["environment"].get<std::string>() +
+                           "', not under the environment of this job; make them anew");
+}
+
 /// The maps that the job names for a material, into `all` by what it is called there.
-void read_maps(const Job& job, const std::string& material, const std::string& called, std::map<std::string, Factors>& all) {
-    const auto named = job.factors.find(material);
-    if (named != job.factors.end() && !all.contains(called)) all[called] = read_factors(named->second).factors;
+void read_maps(const Job& job, const std::string& name, const Material& material, const std::string& called,
+               std::map<std::string, Factors>& all, std::vector<std::string>& warnings) {
+    const auto named = job.factors.find(name);
+    if (named == job.factors.end() || all.contains(called)) return;
+    const StoredFactors stored = read_factors(named->second);
+    warn_of_other_maps(named->second, stored, material, job, warnings);
+    all[called] = stored.factors;
 }
 
 /// Maps beside another estimator are a mistake, and so are maps of materials that nothing wears.
@@ -113,11 +134,12 @@ Wardrobe prepare_wardrobe(const Job& job) {
             for (const std::string& note : material.notes)
                 wardrobe.warnings.push_back("material '" + rule.material + "': " + note);
         }
-        all_names.insert(rule.material), read_maps(job, rule.material, rule.material, wardrobe.factors);
+        all_names.insert(rule.material),
+            read_maps(job, rule.material, material, rule.material, wardrobe.factors, wardrobe.warnings);
         if (job.composite.mode == CompositeMode::difference) {
             const std::string& old = old_name(job, rule.material);
-            wardrobe.old_materials.push_back(resolve(job, old));
-            all_names.insert(old), read_maps(job, old, rule.material, wardrobe.old_factors);
+            const Material& before = wardrobe.old_materials.emplace_back(resolve(job, old));
+            all_names.insert(old), read_maps(job, old, before, rule.material, wardrobe.old_factors, wardrobe.warnings);
         }
     }
     check_maps_are_worn(job, all_names);

@@ -35,7 +35,7 @@ const Parametrization& parametrization_of(const FactorJob& job, FactoredFunction
     const bool is_brdf = of == FactoredFunction::brdf;
     const Parametrization& chosen = parametrization_by_name(!job.parametrization.empty() ? job.parametrization
                                                             : is_brdf                    ? "pqp"
-                                                                                         : "re");
+                                                                                         : "nre");
     if (chosen.of == of) return chosen;
     throw Error(ErrorCode::bad_argument,
                 "parametrisation " + chosen.name +
@@ -90,7 +90,9 @@ private:
 
     Factors factor(const Parametrization& parametrization) const {
         if (m_job.method != FactorMethod::homomorphic) return decomposed(parametrization);
-        return factorise(parametrization, m_samples, m_guide, m_job.maps, part(0.3f, 0.8f));
+        FactoriseSettings maps = m_job.maps;
+        maps.measure = m_job.measure.value_or(m_light ? FactorMeasure::display : FactorMeasure::relative);
+        return factorise(parametrization, m_samples, m_guide, maps, part(0.3f, 0.8f));
     }
 
     Factors decomposed(const Parametrization& parametrization) const {

@@ -19,7 +19,7 @@ constexpr size_t kPairs = 130'000;                                        // of 
 constexpr Configuration kSampler{EstimatorKind::fitted, 6};               // that these are shaded by
 constexpr Configuration kProbes{EstimatorKind::fitted, kPredictionTaps};  // that sparse shading predicts by
 
-/// `factored` has no lobes at a pixel, and maps made from shaded pairs of normal and view.
+/// `factored` has no lobes at a pixel but for the suns, which maps that are given hold, and maps made from shaded pairs of normal and view.
 PredictedCost factored_cost(const MachineCosts& machine, const Material& material, const CostCase& of) {
     PredictedCost cost;
     if (!of.has_maps) {
@@ -28,7 +28,8 @@ PredictedCost factored_cost(const MachineCosts& machine, const Material& materia
         cost = predicted_cost(machine, material, kSampler, 0, pairs);
         cost.tables += (cost.shading + machine.maps) / of.frames;
     }
-    cost.shading = static_cast<double>(of.pixels) * machine.map_pixel;
+    const double suns = of.has_maps ? 0 : static_cast<double>(of.suns) * static_cast<double>(material.lobes.size());
+    cost.shading = static_cast<double>(of.pixels) * (machine.map_pixel + suns * machine.sun);
     return cost;
 }
 

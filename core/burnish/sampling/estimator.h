@@ -32,7 +32,7 @@ struct EstimatorSettings {
     bool albedo_correction = true;        // tabulated true / estimated albedo, the cure for grazing angles
     float tolerance = 0.005f;             // reference: stop at this standard error, relative to the pixel's mean
     int max_samples = 16384;              // reference: sample cap per pixel
-    std::string parametrization = "re";  // factored: of the maps, one of lighting (factor/parametrization.h)
+    std::string parametrization = "nre";  // factored: of the maps, one of lighting (factor/parametrization.h)
     int map_size = 32;                    // factored: texels a side of a map's discs
 };
 

@@ -4,27 +4,39 @@
 #include <burnish/base/parallel.h>
 #include <burnish/factor/direction_map.h>
 #include <burnish/light/filter/cube_faces.h>
+#include <burnish/sampling/sequence.h>
 #include <burnish/shading/material_shader.h>
 
 #include <mutex>
+#include <span>
 
 namespace burnish {
 namespace {
 
 constexpr float kLeastCosine = 1e-4f;  // n . wo: below it, rounding decides whether the surface is seen at all
 
-/// A direction of the grid and the solid angle it stands for.
-struct GridDirection {
-    Vec3f d;
-    float solid_angle;
-};
-
-std::vector<GridDirection> grid_directions(int size) {
+std::vector<Vec3f> grid_directions(int size) {
     const DirectionMap map(Mapping::double_parabolic, size);
-    std::vector<GridDirection> all;
+    std::vector<Vec3f> all;
     for (int texel = 0; texel < map.texels(); ++texel)
-        if (map.holds(texel)) all.push_back({map.direction(texel), static_cast<float>(map.solid_angle(texel))});
+        if (map.holds(texel)) all.push_back(map.direction(texel));
     return all;
+}
+
+/// Pairs whose value is still to be found.
+std::vector<FactorSample> pairs_of(const LightingSampling& sampling) {
+    constexpr uint32_t kSeed = 21;
+    const std::vector<Vec3f> grid = grid_directions(sampling.size);
+    std::vector<FactorSample> pairs;
+    if (sampling.weight == ViewWeight::projected) {
+        const auto count = static_cast<uint32_t>(grid.size() * grid.size() / 2);
+        for (uint32_t i = 0; i < count; ++i) pairs.push_back({seen_pair(i, kSeed), Color3f(0, 0, 0)});
+        return pairs;
+    }
+    for (const Vec3f& n : grid)
+        for (const Vec3f& wo : grid)
+            if (n.dot(wo) >= kLeastCosine) pairs.push_back({{n, wo}, Color3f(0, 0, 0)});
+    return pairs;
 }
 
 /// The light as its picture has it: neither turned nor scaled.
@@ -34,30 +46,13 @@ Environment as_pictured(const Environment& light) {
     return light.relit(settings);
 }
 
-/// All views of one normal that are in front of it.
-struct ViewsOf {
-    SurfaceBatch batch;                 // world
-    std::vector<FactorSample> samples;  // light axes
-
-    ViewsOf(const GridDirection& normal, const std::vector<GridDirection>& views, const Matrix33f& light_to_world,
-            ViewWeight weight) {
-        for (const GridDirection& view : views) {
-            const float cosine = normal.d.dot(view.d);
-            if (cosine < kLeastCosine) continue;
-            const float seen = cosine * normal.solid_angle * view.solid_angle;
-            samples.push_back({{normal.d, view.d}, Color3f(0, 0, 0), weight == ViewWeight::projected ? seen : 1});
-            batch.pixel.push_back(static_cast<uint32_t>(batch.pixel.size()));
-            batch.n.push_back(normal.d * light_to_world), batch.wo.push_back(view.d * light_to_world);
-        }
+SurfaceBatch batch_of(std::span<const FactorSample> pairs, const Matrix33f& light_to_world) {
+    SurfaceBatch batch;
+    for (const FactorSample& sample : pairs) {
+        batch.pixel.push_back(static_cast<uint32_t>(batch.pixel.size()));
+        batch.n.push_back(sample.pair.a * light_to_world), batch.wo.push_back(sample.pair.b * light_to_world);
     }
-};
-
-/// Weights whose mean is 1.
-void normalise(std::vector<FactorSample>& samples) {
-    double sum = 0;
-    for (const FactorSample& sample : samples) sum += sample.weight;
-    const float scale = static_cast<float>(static_cast<double>(samples.size()) / sum);
-    for (FactorSample& sample : samples) sample.weight *= scale;
+    return batch;
 }
 
 }  // namespace
@@ -83,24 +78,32 @@ std::vector<FactorSample> lighting_samples(const Material& material, const Envir
     require_factorable(material);
     const Environment pictured = as_pictured(light);
     const MaterialShader shader(material, pictured, sampling.estimator);
-    const std::vector<GridDirection> grid = grid_directions(sampling.size);
     const Matrix33f light_to_world = pictured.world_to_light().transposed();
-    std::vector<std::vector<FactorSample>> of_normal(grid.size());
+    std::vector<FactorSample> all = pairs_of(sampling);
+    constexpr size_t kBlock = 512;
+    const size_t blocks = (all.size() + kBlock - 1) / kBlock;
     std::mutex reporting;
     size_t done = 0;
-    for_each_index(static_cast<int>(grid.size()), [&](int i) {
-        ViewsOf views(grid[i], grid, light_to_world, sampling.weight);
+    for_each_index(static_cast<int>(blocks), [&](int block) {
+        const size_t begin = static_cast<size_t>(block) * kBlock;
+        const std::span<FactorSample> own = std::span(all).subspan(begin, std::min(kBlock, all.size() - begin));
+        const SurfaceBatch batch = batch_of(own, light_to_world);
         ShadedBatch shaded;
-        sampling.suns ? shader.shade(views.batch, shaded) : shader.shade_without_suns(views.batch, shaded);
-        for (size_t k = 0; k < views.samples.size(); ++k) views.samples[k].value = shaded.overlay[k];
-        of_normal[i] = std::move(views.samples);
+        sampling.suns ? shader.shade(batch, shaded) : shader.shade_without_suns(batch, shaded);
+        for (size_t i = 0; i < own.size(); ++i) own[i].value = shaded.overlay[i];
         const std::lock_guard lock(reporting);
-        progress.report("lighting", static_cast<float>(++done) / static_cast<float>(grid.size()));
+        progress.report("lighting", static_cast<float>(++done) / static_cast<float>(blocks));
     });
-    std::vector<FactorSample> all;
-    for (const std::vector<FactorSample>& samples : of_normal) all.insert(all.end(), samples.begin(), samples.end());
-    normalise(all);
     return all;
+}
+
+DirectionPair seen_pair(uint32_t i, uint32_t seed) {
+    // Two sequences of the same index keep step, whatever their seeds: views are drawn by themselves.
+    const Vec2f u = owen_sobol(i, seed), v(unit_fraction(hash_bits(i, seed + 1)), unit_fraction(hash_bits(i, seed + 2)));
+    const float z = 1 - 2 * u.x, r = std::sqrt(std::max(1 - z * z, 0.0f)), phi = 2 * kPi * u.y;
+    const Vec3f n(r * std::cos(phi), r * std::sin(phi), z);
+    const float cosine = std::max(std::sqrt(v.x), kLeastCosine), s = std::sqrt(1 - cosine * cosine), turn = 2 * kPi * v.y;
+    return {n, Frame::around(n).to_world({s * std::cos(turn), s * std::sin(turn), cosine})};
 }
 
 Vec3f dominant_direction(const Environment& light) {

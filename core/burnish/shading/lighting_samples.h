@@ -16,21 +16,25 @@
 
 namespace burnish {
 
-/// What a pair counts for. `uniform`: all the same (as the source has it); `projected`: as much as it is seen, n . wo dn dwo of
-/// whatever is convex, seen from all sides.
+/// Which pairs there are. `uniform`: all of a grid (as the source has it); `projected`: drawn as often as they are seen, n . wo dn dwo of
+/// whatever is convex, seen from all sides; no two of the same normal, so that maps are told everywhere.
 enum class ViewWeight { uniform, projected };
 
 struct LightingSampling {
-    int size = 26;  // texels a side of the two discs that normals and views are taken from: 26 makes 400 000 pairs
+    int size =
+        26;  // texels a side of the two discs that a grid's normals and views are taken from: 26 makes 400 000 pairs, grid or not
     ViewWeight weight = ViewWeight::projected;
     EstimatorSettings estimator;
     bool suns = true;  // else the light without its bright discs, for shaders that add these themselves (disc_light.h)
 };
 
+/// The i-th pair of (n, wo) as they are seen: normals evenly all around, views by their cosine.
+DirectionPair seen_pair(uint32_t i, uint32_t seed);
+
 /// Throws Error(bad_argument) where `material` has no such function: an anisotropic lobe, or one that layers change.
 void require_factorable(const Material& material);
 
-/// All pairs of texels with n . wo > 0, in the same order for any thread count. Progress under "lighting". Throws as
+/// Of pairs with n . wo > 0, in the same order for any thread count; their weights are 1. Progress under "lighting". Throws as
 /// require_factorable; Error(cancelled).
 std::vector<FactorSample> lighting_samples(const Material& material, const Environment& light, const LightingSampling& sampling,
                                            const Progress& progress = {});

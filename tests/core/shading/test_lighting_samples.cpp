@@ -47,7 +47,7 @@ TEST(LightingSamples, AreWhatTheMaterialReflects) {
     }
 }
 
-TEST(LightingSamples, LookFromInFrontAndWeighOneInTheMean) {
+TEST(LightingSamples, LookFromInFrontAndAreDrawnAsTheyAreSeen) {
     const Environment light = light_of(uneven_picture(32));
     double sum = 0;
     const std::vector<FactorSample> samples = lighting_samples(material(lobe(ModelId::ggx, 0.3f, 0.3f)), light, few());
