@@ -131,7 +131,7 @@ def test_every_setting_shows_up_on_every_face(cli):
 
 @pytest.mark.parametrize("setting", burnish.settings(), ids=lambda s: s["name"])
 def test_every_setting_refuses_what_it_cannot_hold(setting):
-    wrong = {"no": "such value"} if setting["name"] not in ("channel", "materials", "old_material", "camera", "lights") else [1]
+    wrong = {"no": "such value"} if setting["name"] not in ("channel", "factors", "materials", "old_material", "camera", "lights") else [1]
     with pytest.raises(burnish.BadArgument, match=setting["name"]):
         burnish.run({}, **{setting["name"]: wrong})
 
